@@ -1,0 +1,134 @@
+// What a cloth is made of. A Fabric never changes while a simulation runs and may be shared by many sheets.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drench {
+
+/// Where a number comes from.
+enum class Provenance {
+    measured,  ///< published measurement; the source says whose
+    textbook,  ///< follows from a textbook formula out of other values
+    assumed,   ///< our choice, plausible but not measured
+    given      ///< set by the application
+};
+
+/// "measured", "textbook", "assumed" or "given".
+std::string_view toString(Provenance provenance);
+
+/// A number of a fabric together with where it comes from. Reads as a double; assigning a plain number
+/// marks it as given by the application.
+struct Quantity {
+    double value = 0;
+    Provenance provenance = Provenance::given;
+    std::string source;  ///< author, year and table or equation; empty for values that are given
+
+    Quantity() = default;
+    Quantity(double v) : value(v) {}
+    Quantity(double v, Provenance p, std::string s) : value(v), provenance(p), source(std::move(s)) {}
+    operator double() const { return value; }
+};
+
+/// A woven or knitted cloth in textile units, dry and wet.
+///
+/// The defaults are those of `fabrics::cottonPlain()`. Change what you know of your own cloth and hand it to
+/// `makeSheet` or `WetCloth`; both call `validate`. Warp is the direction of material coordinate u, weft
+/// that of v. "Wet" means that the bound water is at its maximum.
+struct Fabric {
+    std::string name = "cotton plain";  ///< for messages and files; not empty
+
+    // Construction
+    Quantity arealDensity;  ///< mass of dry cloth per area, kg/m2; 0.01 to 3; cotton 0.150
+    Quantity thickness;     ///< m; 2e-5 to 0.02; cotton 0.318e-3
+    Quantity fibreDensity;  ///< mass of the fibre itself per volume, kg/m3; 700 to 8000; cotton 1520
+
+    // Water
+    Quantity regain;            ///< water held in air of 65 % relative humidity, kg/kg; 0 to 0.5; cotton 0.075
+    Quantity boundMaximum;      ///< content up to which water is bound in the fibre and softens it, kg/kg; 0.001 to 1; cotton 0.22
+    Quantity wettingTime;       ///< time constant with which a film goes into the pores, s; 1e-3 to 1e5; cotton 2
+    Quantity contactAngle;      ///< of water on the fibre, degrees; 0 to 179; cotton 41
+    Quantity entryPressure;     ///< capillary pressure at which pores start to empty, Pa; 1 to 1e5; cotton 1200
+    Quantity permeabilityWarp;  ///< of the saturated cloth to water along the warp, m2; 1e-16 to 1e-8; cotton 2e-11
+    Quantity permeabilityWeft;  ///< the same along the weft
+    Quantity poreSizeIndex;     ///< Brooks-Corey exponent L of the pore sizes, 1; 0.2 to 10; cotton 1
+
+    // Mechanics, dry
+    Quantity stretchWarp;      ///< tension per width and strain along the warp, N/m; 1 to 1e6; cotton 2000
+    Quantity stretchWeft;      ///< the same along the weft
+    Quantity shear;            ///< shear force per width and angle, N/m; 0.1 to 1e6, below both stretches; cotton 60
+    Quantity bending;          ///< bending rigidity per width B, N m; 1e-9 to 1; cotton 1.16e-5
+    Quantity bendingFriction;  ///< bending moment per width that friction holds, HB, N; 0 to 1; cotton 6e-4
+
+    // Mechanics, wet over dry
+    Quantity wetStretchRatio;          ///< of stretch and shear, 1; 0.01 to 10; cotton 0.6
+    Quantity wetBendingRatio;          ///< of the bending rigidity, 1; 0.01 to 10; cotton 0.6
+    Quantity wetBendingFrictionRatio;  ///< of the bending friction, 1; 0.01 to 10; cotton 1.7
+
+    // Touch
+    Quantity plateFrictionDry;     ///< friction coefficient on a smooth plate, dry, 1; 0 to 5; cotton 0.25
+    Quantity plateFrictionDamp;    ///< the same at its damp peak; cotton 0.9
+    Quantity plateFrictionSoaked;  ///< the same when a film lubricates; cotton 0.4
+    Quantity skinFrictionDry;      ///< friction coefficient on skin, dry, 1; 0 to 5; cotton 0.45
+    Quantity skinFrictionDamp;     ///< the same at its damp peak; cotton 1.2
+    Quantity skinFrictionSoaked;   ///< the same when a film lubricates; cotton 0.9
+    Quantity clingEnergy;          ///< energy to peel wet cloth off a wettable surface, J/m2; 0 to 0.146; cotton 0.13
+
+    // Air
+    Quantity airPermeabilityDry;        ///< air speed through the dry cloth at 100 Pa, m/s; 0 to 10; cotton 0.1
+    Quantity airPermeabilitySaturated;  ///< the same with full pores, m/s; 0 to the dry value; cotton 0.005
+
+    // Looks
+    Quantity albedoRed;       ///< diffuse reflectance of the dry cloth, linear, 1; 0.001 to 0.99; cotton 0.36
+    Quantity albedoGreen;     ///< the same, green; cotton 0.46
+    Quantity albedoBlue;      ///< the same, blue; cotton 0.58
+    Quantity scatteringLoss;  ///< factor q by which scattering falls when wet, 1; 1 to 100; cotton 8
+
+    /// A cotton plain weave; see `fabrics::cottonPlain()`.
+    Fabric();
+
+    /// Share of the cloth's volume that is not fibre, 1: 1 - arealDensity / (fibreDensity thickness)
+    /// (textbook; Morton & Hearle 2008).
+    double porosity() const;
+
+    /// Water that the pores hold when full, kg per m2 of cloth: water density x porosity x thickness.
+    double poreCapacity() const;
+};
+
+/// One parameter of a fabric: its name as in `Fabric`, unit, range, and where it sits.
+struct FabricParameter {
+    std::string_view name;
+    std::string_view unit;
+    double minimum;
+    double maximum;
+    Quantity Fabric::*member;
+};
+
+/// Every parameter of `Fabric`, in the order of its declaration.
+const std::vector<FabricParameter>& fabricParameters();
+
+/// Checks every parameter for a finite value within its range, and those that depend on each other
+/// (porosity between 0 and 1, shear below stretch, saturated air permeability not above the dry one).
+/// @throws std::invalid_argument that names the fabric, the parameter, its value and the range.
+void validate(const Fabric& fabric);
+
+/// Ready fabrics. Every value carries its provenance.
+namespace fabrics {
+
+Fabric cottonPlain();     ///< plain-weave scoured cotton shirting, 150 g/m2
+Fabric polyesterPlain();  ///< plain-weave polyester, 120 g/m2: hardly takes water into its fibres
+Fabric wool();            ///< wool suiting, 200 g/m2: wets slowly
+Fabric linen();           ///< linen, 180 g/m2
+Fabric silk();            ///< silk, 70 g/m2
+Fabric nylonTaffeta();    ///< dense nylon taffeta, 70 g/m2
+Fabric denim();           ///< 11 oz cotton denim, 324 g/m2
+
+/// Names that `byName` knows, in the order above: "cotton", "polyester", "wool", "linen", "silk", "nylon", "denim".
+const std::vector<std::string>& names();
+
+/// The preset of that name. @throws std::invalid_argument that lists the names there are.
+Fabric byName(std::string_view name);
+
+}  // namespace fabrics
+}  // namespace drench

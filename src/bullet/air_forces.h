@@ -1,0 +1,27 @@
+// Drag of the air on the faces of a body, in place of Bullet's aero models.
+#pragma once
+
+#include <BulletSoftBody/btSoftBody.h>
+
+#include <vector>
+
+#include "drench/air.h"
+#include "drench/precision.h"
+#include "drench/wet_laws.h"
+#include "rest_shape.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+/// Adds to the nodes' forces, per face, F = -1/2 rho A (C_n |u_n| u_n n + C_t |u_t| u_t), u the velocity of the face
+/// against the wind. Air leaks through the cloth: the pressure is that of the speed which is left after the leak,
+/// and the leak that of the pressure. The force is taken at the end of the substep (linearly implicit on the face's
+/// share of its nodes' mass), so it may stop the relative motion but never reverses it.
+///
+/// @param masses       of the nodes, kg
+/// @param saturations  of the nodes' pores, 0 to 1
+void addAirForces(btSoftBody& body, const RestShape& shape, const WetLaws& laws, const Air& air,
+                  const std::vector<double>& masses, const std::vector<double>& saturations, double dt);
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

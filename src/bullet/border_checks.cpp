@@ -1,0 +1,126 @@
+#include "border_checks.h"
+
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+template <typename... Parts>
+[[noreturn]] void refuse(const Parts&... parts) {
+    std::ostringstream message;
+    message << "drench: WetCloth: ";
+    (message << ... << parts);
+    throw std::invalid_argument(message.str());
+}
+
+bool isFinite(const btVector3& v) { return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z()); }
+
+bool containsPlane(const btCollisionShape& shape) {
+    if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) return true;
+    if (!shape.isCompound()) return false;
+    const auto& compound = static_cast<const btCompoundShape&>(shape);
+    for (int child = 0; child < compound.getNumChildShapes(); ++child)
+        if (containsPlane(*compound.getChildShape(child))) return true;
+    return false;
+}
+
+/// Whether the collision filters let two objects meet; an object that is in no world yet might.
+bool mayMeet(const btBroadphaseProxy* a, const btBroadphaseProxy* b) {
+    if (!a || !b) return true;
+    return (a->m_collisionFilterGroup & b->m_collisionFilterMask) != 0 &&
+           (b->m_collisionFilterGroup & a->m_collisionFilterMask) != 0;
+}
+
+double meanLinkLength(const RestShape& shape) {
+    double total = 0;
+    int counted = 0;
+    for (std::size_t i = 0; i < shape.links.size(); ++i) {
+        if (shape.links[i].bending) continue;
+        total += double(shape.restLengths[i]);
+        ++counted;
+    }
+    return counted > 0 ? total / counted : double(shape.restLengths[0]);
+}
+
+double signedArea(const std::vector<Eigen::Vector2d>& coordinates, const std::array<int, 3>& triangle) {
+    const auto at = [&](std::size_t corner) -> const Eigen::Vector2d& {
+        return coordinates[static_cast<std::size_t>(triangle[corner])];
+    };
+    Eigen::Matrix2d sides;
+    sides << at(1) - at(0), at(2) - at(0);
+    return 0.5 * sides.determinant();
+}
+
+}  // namespace
+
+void checkBody(const btSoftBody& body) {
+    if (body.getInternalType() != btCollisionObject::CO_SOFT_BODY)
+        refuse("the body does not look like a btSoftBody; compile the application, Bullet and Drench with the same "
+               "precision (BT_USE_DOUBLE_PRECISION)");
+    if (body.m_tetras.size() > 0)
+        refuse("the body has ", body.m_tetras.size(), " tetrahedra; a cloth is a surface, give a body of faces and links");
+    if (body.m_faces.size() == 0) refuse("the body has no faces; water needs area, so append the cloth's triangles");
+    if (body.m_links.size() == 0) refuse("the body has no links; append one along each edge of its triangles");
+    using Collision = btSoftBody::fCollision;
+    if (body.m_clusters.size() > 0 || (body.m_cfg.collisions & (Collision::CL_RS | Collision::CL_SS | Collision::CL_SELF)))
+        refuse("the body collides by clusters (", body.m_clusters.size(),
+               " of them), which keep the masses of the dry cloth; use m_cfg.collisions = SDF_RS (and VF_SS) and "
+               "do not call generateClusters");
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        if (!isFinite(body.m_nodes[n].m_x) || !isFinite(body.m_nodes[n].m_v))
+            refuse("node ", n, " has a position or velocity that is not finite; mend it before attaching");
+}
+
+void checkWorld(btSoftRigidDynamicsWorld& world, const btSoftBody& body, const RestShape& shape) {
+    const double link = meanLinkLength(shape);
+    const double voxel = double(world.getWorldInfo().m_sparsesdf.voxelsz);
+    if (voxel > link)
+        refuse("the world's distance field has voxels of ", voxel, " m, coarser than the sheet's mean link of ", link,
+               " m; call world.getWorldInfo().m_sparsesdf.setDefaultVoxelsz(", link / 2,
+               ") and then m_sparsesdf.Reset()");
+    const double margin = double(body.getCollisionShape()->getMargin());
+    if (margin > link)
+        refuse("the body's collision margin is ", margin, " m, larger than its mean link of ", link,
+               " m; call body.getCollisionShape()->setMargin(", link / 4, ")");
+    for (int i = 0; i < world.getNumCollisionObjects(); ++i) {
+        const btCollisionObject& object = *world.getCollisionObjectArray()[i];
+        if (containsPlane(*object.getCollisionShape()) && object.hasContactResponse() &&
+            mayMeet(object.getBroadphaseHandle(), body.getBroadphaseHandle()))
+            refuse("collision object ", i,
+                   " is a plane shape, above which Bullet lets soft bodies float by a tenth of a metre; use a "
+                   "btBoxShape for the ground, or filter the pair out");
+    }
+}
+
+void checkShape(const RestShape& shape, const std::vector<Eigen::Vector2d>& materialCoordinates) {
+    if (materialCoordinates.size() != shape.nodeAreas.size())
+        refuse("there are ", materialCoordinates.size(), " material coordinates for ", shape.nodeAreas.size(),
+               " nodes; give one (u, v) a node");
+    for (std::size_t n = 0; n < materialCoordinates.size(); ++n)
+        if (!materialCoordinates[n].allFinite()) refuse("the material coordinates of node ", n, " are not finite");
+    for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
+        if (!(shape.triangleAreas[t] > 0)) refuse("face ", t, " has no area at rest; remove it from the body");
+        if (std::abs(signedArea(materialCoordinates, shape.triangles[t])) < 0.1 * shape.triangleAreas[t])
+            refuse("face ", t, " has an area of ", shape.triangleAreas[t], " m2 at rest but ",
+                   std::abs(signedArea(materialCoordinates, shape.triangles[t])),
+                   " m2 in material coordinates; for a sheet that is not flat give SheetSettings::materialCoordinates");
+    }
+    for (std::size_t i = 0; i < shape.links.size(); ++i) {
+        const auto& nodes = shape.links[i].nodes;
+        const double length = (materialCoordinates[static_cast<std::size_t>(nodes[0])] -
+                               materialCoordinates[static_cast<std::size_t>(nodes[1])])
+                                  .norm();
+        if (!(shape.restLengths[i] > 0) || !(length > 0))
+            refuse("link ", i, " between nodes ", nodes[0], " and ", nodes[1], " has no length; remove it");
+    }
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,102 @@
+#include "drench/fabric.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "drench/water.h"
+
+namespace drench {
+
+std::string_view toString(Provenance provenance) {
+    switch (provenance) {
+        case Provenance::measured: return "measured";
+        case Provenance::textbook: return "textbook";
+        case Provenance::assumed: return "assumed";
+        case Provenance::given: return "given";
+    }
+    return "unknown";
+}
+
+double Fabric::porosity() const { return 1.0 - arealDensity / (fibreDensity * thickness); }
+
+double Fabric::poreCapacity() const { return waterDensity * porosity() * thickness; }
+
+const std::vector<FabricParameter>& fabricParameters() {
+    static const std::vector<FabricParameter> parameters = {
+        {"arealDensity", "kg/m2", 0.01, 3, &Fabric::arealDensity},
+        {"thickness", "m", 2e-5, 0.02, &Fabric::thickness},
+        {"fibreDensity", "kg/m3", 700, 8000, &Fabric::fibreDensity},
+        {"regain", "kg/kg", 0, 0.5, &Fabric::regain},
+        {"boundMaximum", "kg/kg", 0.001, 1, &Fabric::boundMaximum},
+        {"wettingTime", "s", 1e-3, 1e5, &Fabric::wettingTime},
+        {"contactAngle", "degrees", 0, 179, &Fabric::contactAngle},
+        {"permeabilityWarp", "m2", 1e-16, 1e-8, &Fabric::permeabilityWarp},
+        {"permeabilityWeft", "m2", 1e-16, 1e-8, &Fabric::permeabilityWeft},
+        {"entryPressure", "Pa", 1, 1e5, &Fabric::entryPressure},
+        {"poreSizeIndex", "1", 0.2, 10, &Fabric::poreSizeIndex},
+        {"stretchWarp", "N/m", 1, 1e6, &Fabric::stretchWarp},
+        {"stretchWeft", "N/m", 1, 1e6, &Fabric::stretchWeft},
+        {"shear", "N/m", 0.1, 1e6, &Fabric::shear},
+        {"bending", "N m", 1e-9, 1, &Fabric::bending},
+        {"bendingFriction", "N", 0, 1, &Fabric::bendingFriction},
+        {"wetStretchRatio", "1", 0.01, 10, &Fabric::wetStretchRatio},
+        {"wetBendingRatio", "1", 0.01, 10, &Fabric::wetBendingRatio},
+        {"wetBendingFrictionRatio", "1", 0.01, 10, &Fabric::wetBendingFrictionRatio},
+        {"plateFrictionDry", "1", 0, 5, &Fabric::plateFrictionDry},
+        {"plateFrictionDamp", "1", 0, 5, &Fabric::plateFrictionDamp},
+        {"plateFrictionSoaked", "1", 0, 5, &Fabric::plateFrictionSoaked},
+        {"skinFrictionDry", "1", 0, 5, &Fabric::skinFrictionDry},
+        {"skinFrictionDamp", "1", 0, 5, &Fabric::skinFrictionDamp},
+        {"skinFrictionSoaked", "1", 0, 5, &Fabric::skinFrictionSoaked},
+        {"clingEnergy", "J/m2", 0, 0.146, &Fabric::clingEnergy},
+        {"airPermeabilityDry", "m/s at 100 Pa", 0, 10, &Fabric::airPermeabilityDry},
+        {"airPermeabilitySaturated", "m/s at 100 Pa", 0, 10, &Fabric::airPermeabilitySaturated},
+        {"albedoRed", "1", 0.001, 0.99, &Fabric::albedoRed},
+        {"albedoGreen", "1", 0.001, 0.99, &Fabric::albedoGreen},
+        {"albedoBlue", "1", 0.001, 0.99, &Fabric::albedoBlue},
+        {"scatteringLoss", "1", 1, 100, &Fabric::scatteringLoss},
+    };
+    return parameters;
+}
+
+namespace {
+
+[[noreturn]] void refuse(const Fabric& fabric, const std::string& what) {
+    throw std::invalid_argument("drench: fabric '" + fabric.name + "': " + what);
+}
+
+std::string text(double value) {
+    std::ostringstream stream;
+    stream << value;
+    return stream.str();
+}
+
+void checkRange(const Fabric& fabric, const FabricParameter& parameter) {
+    const double value = fabric.*parameter.member;
+    if (std::isfinite(value) && value >= parameter.minimum && value <= parameter.maximum) return;
+    refuse(fabric, std::string(parameter.name) + " is " + text(value) + " " + std::string(parameter.unit) +
+                       "; give a value from " + text(parameter.minimum) + " to " + text(parameter.maximum));
+}
+
+}  // namespace
+
+void validate(const Fabric& fabric) {
+    if (fabric.name.empty()) throw std::invalid_argument("drench: a fabric has no name; set Fabric::name");
+    for (const FabricParameter& parameter : fabricParameters()) checkRange(fabric, parameter);
+
+    const double porosity = fabric.porosity();
+    if (porosity <= 0.01 || porosity >= 0.999)
+        refuse(fabric, "arealDensity " + text(fabric.arealDensity) + " kg/m2, thickness " +
+                           text(fabric.thickness) + " m and fibreDensity " + text(fabric.fibreDensity) +
+                           " kg/m3 leave a porosity of " + text(porosity) +
+                           "; it must lie between 0.01 and 0.999, so mend the thickness or the areal density");
+    if (fabric.shear >= fabric.stretchWarp || fabric.shear >= fabric.stretchWeft)
+        refuse(fabric, "shear is " + text(fabric.shear) +
+                           " N/m; it must be smaller than stretchWarp and stretchWeft, which contain it");
+    if (fabric.airPermeabilitySaturated > fabric.airPermeabilityDry)
+        refuse(fabric, "airPermeabilitySaturated is " + text(fabric.airPermeabilitySaturated) +
+                           " m/s; it must not exceed airPermeabilityDry, " + text(fabric.airPermeabilityDry));
+}
+
+}  // namespace drench

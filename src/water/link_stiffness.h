@@ -1,0 +1,44 @@
+// Stiffness of each link of a sheet in N/m, from the fabric and the sheet's material coordinates.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "drench/fabric.h"
+
+namespace drench {
+
+/// Which of the fabric's stiffnesses a link stands for, and so which wet law it follows.
+enum class LinkKind { stretch, bending };
+
+/// A link between two nodes, as a body has it.
+struct LinkNodes {
+    std::array<int, 2> nodes;
+    bool bending;  ///< the body marks it as a bending link
+};
+
+/// Dry stiffness of a link.
+struct LinkStiffness {
+    LinkKind kind;
+    double dry;  ///< N/m
+};
+
+/// Stiffness of every link.
+///
+/// A link along an edge of the triangles, or across one like the second diagonal of a cell, gets
+/// Y(direction) x area of its triangles / length^2 (Van Gelder 1998), with
+/// Y = cos^2(2 phi) ((c11 - G) cos^2 phi + (c22 - G) sin^2 phi) + 4 G sin^2(2 phi), phi the angle to the warp, c11 and c22
+/// the stretches and G the shear. Links that cross each other share, half each. On a grid with crossed
+/// diagonals this is c11 - G and c22 - G along the grid (half on the border) and G for each diagonal.
+///
+/// Every other link, and those marked as bending, gets 36 B / length^2: as a chord over two cells it then
+/// stores the energy of a bend of one radian a cell (assumed; a chord has no stiffness at small angles).
+///
+/// @param coordinates  material coordinates (u, v) of each node, m
+/// @param triangles    node indices of each triangle
+std::vector<LinkStiffness> linkStiffness(const Fabric& fabric, const std::vector<Eigen::Vector2d>& coordinates,
+                                         const std::vector<std::array<int, 3>>& triangles,
+                                         const std::vector<LinkNodes>& links);
+
+}  // namespace drench
