@@ -1,0 +1,112 @@
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "runners.h"
+#include "viewer/image.h"
+#include "viewer/offscreen_context.h"
+#include "viewer/renderer.h"
+
+namespace drench::demo {
+
+namespace {
+
+constexpr int pictureWidth = 1280;
+constexpr int pictureHeight = 720;
+
+/// Draws and keeps the pictures of a run.
+class Album {
+  public:
+    explicit Album(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    /// Draws a picture and writes it under `name`.
+    /// @return the time that drawing took, s
+    double add(const viewer::Picture& picture, const std::string& name) {
+        if (images_.empty()) renderer_.capture(picture, pictureWidth, pictureHeight);  // the first one compiles shaders
+        const auto before = std::chrono::steady_clock::now();
+        viewer::Image image = renderer_.capture(picture, pictureWidth, pictureHeight);
+        const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+        writePng(folder_ / (name + ".png"), image);
+        images_.push_back(viewer::scaledDown(image, 2));
+        return took;
+    }
+
+    /// All moments side by side.
+    void writeContactSheet() const {
+        if (images_.size() < 2) return;
+        constexpr int columns = 3, gap = 4;
+        writePng(folder_ / "contact-sheet.png", viewer::contactSheet(images_, columns, gap));
+    }
+
+  private:
+    std::filesystem::path folder_;
+    viewer::OffscreenContext context_;
+    viewer::Renderer renderer_;
+    std::vector<viewer::Image> images_;
+};
+
+/// One line on stderr that says how far a run is; rewritten in place on a terminal, else a line every tenth.
+class ProgressLine {
+  public:
+    void show(const Scene& scene) {
+        const int percent = static_cast<int>(100 * scene.progress());
+        if (percent == shown_ || (!terminal_ && percent < shown_ + 10 && shown_ >= 0)) return;
+        shown_ = percent;
+        std::cerr << (terminal_ ? "\r\033[K" : "") << std::setw(3) << percent << " %  " << scene.status()
+                  << (terminal_ ? "" : "\n") << std::flush;
+    }
+
+    void end() const {
+        if (terminal_) std::cerr << "\r\033[K" << std::flush;
+    }
+
+  private:
+    bool terminal_ = isatty(fileno(stderr)) != 0;
+    int shown_ = -1;
+};
+
+std::string frameName(int frame) {
+    std::ostringstream name;
+    name << "frame-" << std::setw(6) << std::setfill('0') << frame;
+    return name.str();
+}
+
+}  // namespace
+
+int runHeadless(const RunOptions& options) {
+    const auto scene = sceneByName(options.scene).make(options.sceneOptions);
+    std::unique_ptr<Album> album;
+    if (!options.frames.empty()) album = std::make_unique<Album>(options.frames);
+
+    ProgressLine progress;
+    for (int frame = 1; !scene->finished(); ++frame) {
+        scene->advance();
+        progress.show(*scene);
+        if (!album) continue;
+        if (const auto moment = scene->moment())
+            scene->noteDrawTime(album->add(scene->picture(), *moment));
+        else if (options.every > 0 && frame % options.every == 0)
+            scene->noteDrawTime(album->add(scene->picture(), frameName(frame)));
+    }
+    progress.end();
+
+    scene->report(std::cout);
+    writeResult(options, *scene);
+    if (album) album->writeContactSheet();
+
+    const auto failures = scene->failures();
+    for (const std::string& failure : failures) std::cerr << "check failed: " << failure << '\n';
+    std::cout << (failures.empty() ? "\ncheck passed\n" : "\ncheck failed\n");
+    return failures.empty() ? 0 : 1;
+}
+
+void writeResult(const RunOptions& options, const Scene& scene) {
+    if (!options.csv.empty()) writeCsv(options.csv, scene.table());
+}
+
+}  // namespace drench::demo

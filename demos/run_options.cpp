@@ -1,0 +1,56 @@
+#include "run_options.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+namespace drench::demo {
+
+namespace {
+
+void listScenes() {
+    for (const SceneEntry& entry : scenes()) std::cout << entry.name << "\n    " << entry.description << "\n";
+}
+
+std::vector<std::string> sceneNames() {
+    std::vector<std::string> names;
+    for (const SceneEntry& entry : scenes()) names.push_back(entry.name);
+    return names;
+}
+
+}  // namespace
+
+ParsedOptions parseOptions(int argc, char** argv) {
+    ParsedOptions parsed;
+    RunOptions& run = parsed.options;
+    bool list = false;
+
+    CLI::App app{"Wet cloth on Bullet soft bodies. Opens a window unless --headless is given.", "drench-demo"};
+    app.add_option("SCENE", run.scene, "which scene to run; --list names them")->check(CLI::IsMember(sceneNames()));
+    app.add_flag("--list", list, "list the scenes and stop");
+    app.add_flag("--headless", run.headless, "run without a window; exits with 1 if the scene's check fails");
+    app.add_option("--seconds", run.sceneOptions.seconds, "simulated seconds after which to end [the scene's own]")
+        ->check(CLI::Range(0.02, 86400.0));
+    app.add_option("--resolution", run.sceneOptions.resolution, "nodes along the warp [the scene's own]")
+        ->check(CLI::Range(8, 512));
+    app.add_option("--fabric", run.sceneOptions.fabric, "the cloth [cotton]")->check(CLI::IsMember(fabrics::names()));
+    app.add_option("--csv", run.csv, "write the result to this file");
+    app.add_option("--frames", run.frames, "write pictures (PNG) into this folder");
+    app.add_option("--every", run.every, "a picture each so many frames of 1/60 s [the scene's own moments]")
+        ->check(CLI::Range(1, 1000000));
+    app.add_option("--seed", run.sceneOptions.seed, "of what is drawn by lot [1]");
+
+    try {
+        app.parse(argc, argv);
+        if (list) {
+            listScenes();
+            parsed.exitStatus = 0;
+        } else if (run.scene.empty()) {
+            throw CLI::RequiredError("SCENE");
+        }
+    } catch (const CLI::ParseError& problem) {
+        parsed.exitStatus = app.exit(problem, std::cout, std::cerr) == 0 ? 0 : 2;
+    }
+    return parsed;
+}
+
+}  // namespace drench::demo

@@ -1,0 +1,31 @@
+// The command line of drench-demo.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "scene.h"
+
+namespace drench::demo {
+
+/// How to run which scene.
+struct RunOptions {
+    std::string scene;
+    SceneOptions sceneOptions;
+    bool headless = false;
+    std::filesystem::path csv;     ///< empty: no file
+    std::filesystem::path frames;  ///< folder for pictures; empty: none
+    int every = 0;                 ///< a picture each so many frames; 0: at the scene's own moments
+};
+
+/// What the command line asks for, or the exit status at once: 0 after --help or --list, 2 for arguments that are off,
+/// with the reason on stderr.
+struct ParsedOptions {
+    RunOptions options;
+    std::optional<int> exitStatus;
+};
+
+ParsedOptions parseOptions(int argc, char** argv);
+
+}  // namespace drench::demo

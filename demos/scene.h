@@ -1,0 +1,81 @@
+// What a scene of the demo program is, and which ones there are.
+#pragma once
+
+#include <drench/drench.h>
+
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "table.h"
+#include "viewer/picture.h"
+
+namespace drench::demo {
+
+/// What the command line says about a scene.
+struct SceneOptions {
+    std::string fabric = "cotton";  ///< a name of fabrics::names()
+    int resolution = 0;             ///< nodes along the warp; 0: the scene's own
+    double seconds = 0;             ///< simulated time after which it ends; 0: the scene's own
+    unsigned seed = 1;              ///< of whatever the scene draws by lot
+};
+
+/// A sheet of a scene, for the panel.
+struct SceneSheet {
+    std::string name;
+    WetCloth* cloth;
+};
+
+/// An experiment that runs by itself, frame by frame, in a window or without.
+class Scene {
+  public:
+    /// Time of one frame, s.
+    static constexpr double frameTime = 1.0 / 60;
+
+    virtual ~Scene() = default;
+
+    /// Simulates one frame.
+    virtual void advance() = 0;
+    /// Whether it has come to its end.
+    virtual bool finished() const = 0;
+    /// Share of it that is done, 0 to 1.
+    virtual double progress() const = 0;
+    /// What happens right now, in a few words.
+    virtual std::string status() const = 0;
+
+    /// What there is to see now.
+    virtual viewer::Picture picture() const = 0;
+    /// At a moment worth keeping, a file name for its picture, without folder and ending.
+    virtual std::optional<std::string> moment() const { return std::nullopt; }
+    /// Tells the scene how long a picture took to draw, s.
+    virtual void noteDrawTime(double) {}
+
+    /// The sheets there are now.
+    virtual std::vector<SceneSheet> sheets() = 0;
+    /// Wind speed where the scene lets it blow, m/s; may be changed at any time.
+    virtual double& windSpeed() = 0;
+
+    /// The result as rows of numbers.
+    virtual Table table() const = 0;
+    /// Writes the result for people.
+    virtual void report(std::ostream& out) const = 0;
+    /// What is wrong with the result; empty if it is as it should be.
+    virtual std::vector<std::string> failures() const = 0;
+};
+
+/// A scene on the list.
+struct SceneEntry {
+    std::string name;
+    std::string description;
+    std::unique_ptr<Scene> (*make)(const SceneOptions&);
+};
+
+/// All scenes.
+const std::vector<SceneEntry>& scenes();
+
+/// The scene of that name. @throws std::invalid_argument that lists the names there are.
+const SceneEntry& sceneByName(const std::string& name);
+
+}  // namespace drench::demo

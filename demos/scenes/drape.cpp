@@ -1,0 +1,189 @@
+#include "drape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+#include "../pictures.h"
+
+namespace drench::demo {
+
+namespace {
+
+constexpr double ballRadius = 0.3;
+constexpr double ballHeight = 0.75;   // m, of its centre
+constexpr double sheetSide = 1.2;     // m
+constexpr double dropHeight = 0.04;   // m, of the sheet above the ball
+constexpr double restDamping = 0.6;   // 1/s
+constexpr int mostSubsteps = 40;      // in single precision shorter ones would lose gravity to rounding
+constexpr double deepestAllowed = 5e-3;
+
+}  // namespace
+
+/// One ball and the sheet on it.
+struct Drape::Side {
+    std::string name;
+    btSoftRigidDynamicsWorld& world;
+    btRigidBody* ball;
+    std::unique_ptr<btSoftBody> sheet;
+    std::unique_ptr<WetCloth> cloth;
+
+    ~Side() {
+        cloth.reset();
+        world.removeSoftBody(sheet.get());
+    }
+
+    double lowest() const {
+        btScalar y = sheet->m_nodes[0].m_x.y();
+        for (int n = 1; n < sheet->m_nodes.size(); ++n) y = std::min(y, sheet->m_nodes[n].m_x.y());
+        return double(y);
+    }
+
+    double highest() const {
+        btScalar y = sheet->m_nodes[0].m_x.y();
+        for (int n = 1; n < sheet->m_nodes.size(); ++n) y = std::max(y, sheet->m_nodes[n].m_x.y());
+        return double(y);
+    }
+
+    /// How deep the deepest node is inside the ball, m; 0 if none is.
+    double penetration() const {
+        double deepest = 0;
+        const btVector3 centre = ball->getWorldTransform().getOrigin();
+        for (int n = 0; n < sheet->m_nodes.size(); ++n)
+            deepest = std::max(deepest, ballRadius - double((sheet->m_nodes[n].m_x - centre).length()));
+        return deepest;
+    }
+
+    double mass() const { return cloth->dryMass() + cloth->waterMass(); }
+
+    /// Mean horizontal distance of the four corners from the ball's axis, m: small when the sheet hangs close.
+    double spread(int nodes) const {
+        const btVector3 centre = ball->getWorldTransform().getOrigin();
+        double sum = 0;
+        for (const int n : {0, nodes - 1, nodes * (nodes - 1), nodes * nodes - 1}) {
+            btVector3 offset = sheet->m_nodes[n].m_x - centre;
+            offset.setY(0);
+            sum += double(offset.length()) / 4;
+        }
+        return sum;
+    }
+};
+
+Drape::Drape(const SceneOptions& options)
+    : fabric_(fabrics::byName(options.fabric)), duration_(options.seconds > 0 ? options.seconds : 3) {
+    const int nodes = options.resolution > 0 ? options.resolution : 40;
+    bullet_.addGround(0);
+    addSide("dry", -0.72, 0, nodes);
+    addSide("wet", 0.72, 1, nodes);
+    double bound = frameTime;
+    for (const auto& side : sides_) bound = std::min(bound, side->cloth->stepBound());
+    substeps_ = std::clamp(int(std::ceil(frameTime / bound)), 1, mostSubsteps);
+    for (const auto& side : sides_) side->sheet->m_cfg.kDP = btScalar(restDamping * frameTime / substeps_);
+    table_.columns = {{"time_s", 2},        {"dry_mass_kg", 4},   {"dry_lowest_m", 4}, {"dry_penetration_m", 5},
+                      {"dry_spread_m", 4},  {"wet_mass_kg", 4},   {"wet_lowest_m", 4}, {"wet_penetration_m", 5},
+                      {"wet_spread_m", 4}};
+    noteRow();
+}
+
+Drape::~Drape() = default;
+
+void Drape::addSide(const std::string& name, double x, double shareOfSaturation, int nodes) {
+    btRigidBody& ball = bullet_.addBall({btScalar(x), btScalar(ballHeight), 0}, ballRadius, 0);
+    const double height = ballHeight + ballRadius + dropHeight;
+    const Corners corners =
+        flatCorners({btScalar(x - sheetSide / 2), btScalar(height), btScalar(-sheetSide / 2)},
+                    {btScalar(sheetSide), 0, 0}, {0, 0, btScalar(sheetSide)});
+    auto sheet = makeSheet(bullet_.world().getWorldInfo(), fabric_, corners, nodes, nodes);
+    bullet_.world().addSoftBody(sheet.get());
+    SheetSettings settings;
+    settings.waterSpeed = 20;
+    auto cloth = std::make_unique<WetCloth>(bullet_.world(), *sheet, fabric_, settings);
+    cloth->soak(shareOfSaturation * fabric_.poreCapacity());
+    sides_.push_back(std::unique_ptr<Side>(
+        new Side{name, bullet_.world(), &ball, std::move(sheet), std::move(cloth)}));
+}
+
+void Drape::advance() {
+    for (const auto& side : sides_) side->cloth->air().wind = {0, 0, windSpeed_};
+    bullet_.step(frameTime, substeps_);
+    ++frames_;
+    time_ = frames_ * frameTime;
+    if (frames_ % 6 == 0 || finished()) noteRow();
+}
+
+void Drape::noteRow() {
+    std::vector<double> row{time_};
+    for (const auto& side : sides_) {
+        const int nodes = static_cast<int>(std::lround(std::sqrt(double(side->sheet->m_nodes.size()))));
+        for (const double value : {side->mass(), side->lowest(), side->penetration(), side->spread(nodes)})
+            row.push_back(value);
+    }
+    table_.rows.push_back(std::move(row));
+}
+
+std::string Drape::status() const {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(2) << time_ << " s of " << duration_ << " s";
+    return text.str();
+}
+
+viewer::Picture Drape::picture() const {
+    viewer::Picture picture;
+    for (const auto& side : sides_) {
+        picture.sheets.push_back(sheetMesh(*side->sheet, *side->cloth));
+        picture.balls.push_back(demo::ball(*side->ball));
+        const Eigen::Vector3f foot(float(side->ball->getWorldTransform().getOrigin().x()), 0, 0);
+        picture.rods.push_back({foot, foot + Eigen::Vector3f(0, float(ballHeight), 0), 0.035f, {0.25f, 0.25f, 0.27f}});
+    }
+    picture.camera.target = {0, 0.66f, 0};
+    picture.camera.distance = 3.4f;
+    picture.camera.yaw = 0.25f;
+    picture.camera.pitch = 0.24f;
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(2) << "left dry, " << sides_[0]->mass() << " kg; right wet, "
+         << sides_[1]->mass() << " kg";
+    picture.caption.push_back(text.str());
+    return picture;
+}
+
+std::optional<std::string> Drape::moment() const {
+    if (frames_ % 30 != 0 && !finished()) return std::nullopt;
+    std::ostringstream name;
+    name << "drape-" << std::setw(5) << std::setfill('0') << std::lround(time_ * 1000) << "ms";
+    return name.str();
+}
+
+std::vector<SceneSheet> Drape::sheets() {
+    std::vector<SceneSheet> list;
+    for (const auto& side : sides_) list.push_back({side->name, side->cloth.get()});
+    return list;
+}
+
+void Drape::report(std::ostream& out) const {
+    print(out, table_);
+    out << "\nSubsteps per frame of 1/60 s, one sweep each: " << substeps_
+        << "; longest that shows the links' stiffness: ";
+    for (const auto& side : sides_) out << side->name << " 1/" << std::lround(1 / side->cloth->stepBound()) << " s  ";
+    out << "\n";
+}
+
+std::vector<std::string> Drape::failures() const {
+    std::vector<std::string> list;
+    for (const auto& side : sides_) {
+        const double deep = side->penetration();
+        if (!(deep < deepestAllowed))
+            list.push_back("the " + side->name + " sheet is " + std::to_string(deep) + " m inside its ball");
+        if (!(side->highest() > ballHeight + 0.9 * ballRadius))
+            list.push_back("the " + side->name + " sheet has slid off its ball");
+        const Ledger ledger = side->cloth->ledger();
+        if (std::abs(ledger.imbalance()) > 1e-6 * ledger.supplied)
+            list.push_back("the ledger of the " + side->name + " sheet is open by " + std::to_string(ledger.imbalance()) +
+                           " kg");
+    }
+    if (!(sides_[1]->mass() > 2 * sides_[0]->mass())) list.push_back("the wet sheet does not weigh twice the dry one");
+    return list;
+}
+
+}  // namespace drench::demo

@@ -1,0 +1,49 @@
+// A wet and a dry sheet fall on a ball each.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../bullet_world.h"
+#include "../scene.h"
+
+namespace drench::demo {
+
+/// Two sheets of the same cloth, 1.2 m square, fall from just above two balls of 0.3 m radius. The left one is dry, the
+/// right one saturated.
+class Drape final : public Scene {
+  public:
+    explicit Drape(const SceneOptions& options);
+    ~Drape() override;
+
+    void advance() override;
+    bool finished() const override { return time_ >= duration_; }
+    double progress() const override { return std::min(1.0, time_ / duration_); }
+    std::string status() const override;
+    viewer::Picture picture() const override;
+    std::optional<std::string> moment() const override;
+    std::vector<SceneSheet> sheets() override;
+    double& windSpeed() override { return windSpeed_; }
+    Table table() const override { return table_; }
+    void report(std::ostream& out) const override;
+    std::vector<std::string> failures() const override;
+
+  private:
+    struct Side;
+
+    void addSide(const std::string& name, double x, double shareOfSaturation, int nodes);
+    void noteRow();
+
+    Fabric fabric_;
+    double duration_;
+    double windSpeed_ = 0;
+    BulletWorld bullet_;
+    std::vector<std::unique_ptr<Side>> sides_;
+    int substeps_ = 1;
+    int frames_ = 0;
+    double time_ = 0;
+    Table table_;
+};
+
+}  // namespace drench::demo

@@ -1,0 +1,410 @@
+#include "ten_steps.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <numeric>
+#include <ostream>
+#include <random>
+#include <sstream>
+
+#include "../pictures.h"
+
+namespace drench::demo {
+
+namespace {
+
+constexpr int steps = 10;
+constexpr double saturatedNode = 0.840e-3;  // kg of water in a saturated inner node
+constexpr double restingHeight = 3.6;       // m, of the line between the corners
+constexpr int heldNodes = 3;                // at each corner
+constexpr double notMeasured = std::numeric_limits<double>::quiet_NaN();
+
+// A flat sheet may buckle to either side, and here and there to both, which changes the sag by a centimetre. A breath of
+// wind that fades away while it settles makes it the same side everywhere and in every step.
+constexpr double breath = 2.0;      // m/s
+constexpr double breathTime = 2.0;  // s
+
+// Water runs faster than mechanics, so that a soaked sheet is ready when it has settled.
+constexpr double waterSpeed = 20;
+
+struct PhasePlan {
+    double duration;  // s
+    double averaged;  // s at its end over which to measure
+    double damping;   // 1/s, taken from all velocities
+};
+constexpr PhasePlan settling{3.5, 0.4, 4.0};
+constexpr PhasePlan blowing{2.5, 1.0, 0.8};
+constexpr PhasePlan swinging{8.0, 0.0, 0.05};  // at most; ends with the period
+
+/// Water in an inner node at a step, as a share of saturation.
+double shareOfSaturation(int step) { return step == 0 ? 0.0 : (0.010e-3 + 0.083e-3 * step) / saturatedNode; }
+
+/// Node spacing at which an inner node of cotton saturates at 0.840 g in a grid 55 nodes wide.
+double cottonSpacing() { return std::sqrt(saturatedNode / fabrics::cottonPlain().poreCapacity()); }
+
+double mean(const std::vector<double>& values) {
+    return values.empty() ? notMeasured : std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+double degrees(double radians) { return radians * 180 / 3.14159265358979323846; }
+
+}  // namespace
+
+/// The world of one step: sheet, line, ball and ground.
+class TenSteps::Rig {
+  public:
+    Rig(const Fabric& fabric, int nodesWarp, unsigned randomSeed)
+        : nodesWarp_(nodesWarp), nodesWeft_(std::max(3, (nodesWarp * 45 + 27) / 55)) {
+        const double width = 54 * cottonSpacing(), height = 44 * cottonSpacing();
+        bullet_.addGround(0);
+        ball_ = &bullet_.addBall({btScalar(-0.75), btScalar(ballRadius), btScalar(0.95)}, ballRadius, 2);
+        const Corners corners = flatCorners({btScalar(-width / 2), btScalar(restingHeight), 0},
+                                            {btScalar(width), 0, 0}, {0, btScalar(-height), 0});
+        sheet_ = makeSheet(bullet_.world().getWorldInfo(), fabric, corners, nodesWarp_, nodesWeft_);
+        rumple(randomSeed);
+        for (int i = 0; i < heldNodes; ++i) {
+            node(i, 0).m_im = 0;
+            node(nodesWarp_ - 1 - i, 0).m_im = 0;
+        }
+        bullet_.world().addSoftBody(sheet_.get());
+        SheetSettings settings;
+        settings.waterSpeed = waterSpeed;
+        cloth_ = std::make_unique<WetCloth>(bullet_.world(), *sheet_, fabric, settings);
+    }
+
+    ~Rig() {
+        cloth_.reset();
+        bullet_.world().removeSoftBody(sheet_.get());
+    }
+
+    Rig(const Rig&) = delete;
+    Rig& operator=(const Rig&) = delete;
+
+    WetCloth& cloth() { return *cloth_; }
+    const WetCloth& cloth() const { return *cloth_; }
+
+    /// Substeps a frame with which the links show their stiffness; the wetter the sheet, the fewer it takes. The bound
+    /// is that of the lower corners, whose light nodes need steps shorter by sqrt(2) than the sheet and carry nothing.
+    void chooseSubsteps() {
+        substeps_ = std::max(1, int(std::ceil(frameTime / (std::sqrt(2.0) * cloth_->stepBound()))));
+    }
+    int substeps() const { return substeps_; }
+
+    void setDamping(double perSecond) { sheet_->m_cfg.kDP = btScalar(perSecond * frameTime / substeps_); }
+
+    void advance() { bullet_.step(frameTime, substeps_); }
+
+    double mass() const {
+        double total = 0;
+        for (int n = 0; n < sheet_->m_nodes.size(); ++n) total += cloth_->nodeMass(n);
+        return total;
+    }
+
+    double sag() const { return restingHeight - double(node(nodesWarp_ / 2, 0).m_x.y()); }
+
+    double meanStrain() const {
+        double sum = 0;
+        int counted = 0;
+        for (int i = 0; i < sheet_->m_links.size(); ++i) {
+            const btSoftBody::Link& link = sheet_->m_links[i];
+            if (link.m_bbending) continue;
+            sum += std::abs(double((link.m_n[1]->m_x - link.m_n[0]->m_x).length() / link.m_rl) - 1);
+            ++counted;
+        }
+        return sum / counted;
+    }
+
+    btVector3 centreOfMass() const {
+        btVector3 moment(0, 0, 0);
+        for (int n = 0; n < sheet_->m_nodes.size(); ++n)
+            moment += sheet_->m_nodes[n].m_x * btScalar(cloth_->nodeMass(n));
+        return moment / btScalar(mass());
+    }
+
+    double deflection() const {
+        const btVector3 centre = centreOfMass();
+        return degrees(std::atan2(double(centre.z()), restingHeight - double(centre.y())));
+    }
+
+    double meanAlbedo() const {
+        double sum = 0;
+        for (int n = 0; n < sheet_->m_nodes.size(); ++n)
+            for (const double channel : cloth_->albedo(n)) sum += channel / 3;
+        return sum / sheet_->m_nodes.size();
+    }
+
+    double waterOfInnerNode() const {
+        const auto n = static_cast<std::size_t>(nodesWarp_ / 2 + nodesWarp_ * (nodesWeft_ / 2));
+        return cloth_->moisture().poreMass()[n] + cloth_->moisture().filmMass()[n];
+    }
+
+    void show(viewer::Picture& picture) const {
+        picture.sheets.push_back(sheetMesh(*sheet_, *cloth_));
+        picture.balls.push_back(ball(*ball_));
+        const Eigen::Vector3f left = toEigen(node(0, 0).m_x), right = toEigen(node(nodesWarp_ - 1, 0).m_x);
+        const Eigen::Vector3f beyond(0.35f, 0, 0), behind(0, 0, -0.012f);
+        const Eigen::Vector3f wood(0.30f, 0.22f, 0.15f), rope(0.62f, 0.58f, 0.50f);
+        picture.rods.push_back({left - beyond + behind, right + beyond + behind, 0.008f, rope});
+        for (const Eigen::Vector3f& end : {Eigen::Vector3f(left - beyond), Eigen::Vector3f(right + beyond)})
+            picture.rods.push_back({{end.x(), 0, end.z()}, {end.x(), end.y() + 0.1f, end.z()}, 0.04f, wood});
+        for (int i : {0, heldNodes - 1, nodesWarp_ - heldNodes, nodesWarp_ - 1}) {
+            const Eigen::Vector3f peg = toEigen(node(i, 0).m_x);
+            picture.rods.push_back({peg - Eigen::Vector3f(0, 0.05f, 0), peg + Eigen::Vector3f(0, 0.03f, 0), 0.014f, wood});
+        }
+    }
+
+  private:
+    static constexpr double ballRadius = 0.35;
+
+    btSoftBody::Node& node(int i, int j) { return sheet_->m_nodes[i + nodesWarp_ * j]; }
+    const btSoftBody::Node& node(int i, int j) const { return sheet_->m_nodes[i + nodesWarp_ * j]; }
+
+    /// A perfectly flat sheet has no reason to leave its plane; a hundredth of a millimetre is one.
+    void rumple(unsigned randomSeed) {
+        std::mt19937 random(randomSeed);
+        std::uniform_real_distribution<float> offset(-1e-5f, 1e-5f);
+        for (int n = 0; n < sheet_->m_nodes.size(); ++n) sheet_->m_nodes[n].m_x.setZ(btScalar(offset(random)));
+    }
+
+    BulletWorld bullet_;
+    int nodesWarp_;
+    int nodesWeft_;
+    int substeps_ = 1;
+    btRigidBody* ball_;
+    std::unique_ptr<btSoftBody> sheet_;
+    std::unique_ptr<WetCloth> cloth_;
+};
+
+/// Finds the period of a swing from the times at which it passes its middle.
+class TenSteps::Swing {
+  public:
+    void note(double time, double displacement) {
+        if (noted_ && (displacement > 0) != (before_ > 0))
+            crossings_.push_back(time - frameTime * displacement / (displacement - before_));
+        before_ = displacement;
+        noted_ = true;
+    }
+
+    /// NaN while it has not passed the middle twice.
+    double period() const { return crossings_.size() < 2 ? notMeasured : 2 * (crossings_[1] - crossings_[0]); }
+
+  private:
+    double before_ = 0;
+    bool noted_ = false;
+    std::vector<double> crossings_;
+};
+
+TenSteps::TenSteps(const SceneOptions& options)
+    : options_(options), fabric_(fabrics::byName(options.fabric)), windSpeed_(2), drawing_(notMeasured) {
+    if (options_.resolution == 0) options_.resolution = 55;
+    beginStep(0);
+}
+
+TenSteps::~TenSteps() = default;
+
+void TenSteps::beginStep(int step) {
+    results_.push_back({notMeasured, notMeasured, notMeasured, notMeasured, notMeasured, notMeasured, notMeasured,
+                        notMeasured, notMeasured, notMeasured, 0, notMeasured});
+    rig_ = std::make_unique<Rig>(fabric_, options_.resolution, options_.seed);
+    rig_->cloth().soak(shareOfSaturation(step) * fabric_.poreCapacity());
+    rig_->chooseSubsteps();
+    results_.back().substeps = rig_->substeps();
+    computing_ = 0;
+    frames_ = 0;
+    drawing_ = notMeasured;
+    beginPhase(Phase::settling);
+}
+
+void TenSteps::beginPhase(Phase phase) {
+    phase_ = phase;
+    phaseTime_ = 0;
+    const PhasePlan& plan = phase == Phase::settling ? settling : phase == Phase::blowing ? blowing : swinging;
+    rig_->setDamping(plan.damping);
+    if (phase == Phase::swinging) swing_ = std::make_unique<Swing>();
+    samples_.clear();
+    strains_.clear();
+}
+
+void TenSteps::advance() {
+    if (done_) return;
+    momentNow_ = false;
+    rig_->cloth().air().wind = {0, 0, windNow()};
+
+    const auto before = std::chrono::steady_clock::now();
+    rig_->advance();
+    computing_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    ++frames_;
+    phaseTime_ += frameTime;
+    totalTime_ += frameTime;
+
+    switch (phase_) {
+        case Phase::settling: measureStill(); break;
+        case Phase::blowing: measureWind(); break;
+        case Phase::swinging: measureSwing(); break;
+    }
+    if (options_.seconds > 0 && totalTime_ >= options_.seconds) done_ = true;
+}
+
+double TenSteps::windNow() const {
+    switch (phase_) {
+        case Phase::settling: return breath * std::max(0.0, 1 - phaseTime_ / breathTime);
+        case Phase::blowing: return windSpeed_;
+        case Phase::swinging: return 0;
+    }
+    return 0;
+}
+
+void TenSteps::measureStill() {
+    if (phaseTime_ > settling.duration - settling.averaged) {
+        samples_.push_back(rig_->sag());
+        strains_.push_back(rig_->meanStrain());
+    }
+    if (phaseTime_ < settling.duration) return;
+    Result& result = results_.back();
+    result.waterPerNode = 1e3 * rig_->waterOfInnerNode();
+    result.sheetMass = rig_->mass();
+    result.massRatio = rig_->mass() / rig_->cloth().dryMass();
+    result.sag = mean(samples_);
+    result.meanStrain = mean(strains_);
+    result.albedo = rig_->meanAlbedo();
+    const Ledger ledger = rig_->cloth().ledger();
+    result.imbalance = ledger.supplied > 0 ? std::abs(ledger.imbalance()) / ledger.supplied : 0;
+    beginPhase(Phase::blowing);
+}
+
+void TenSteps::measureWind() {
+    if (phaseTime_ > blowing.duration - blowing.averaged) samples_.push_back(rig_->deflection());
+    if (phaseTime_ < blowing.duration) return;
+    results_.back().windDeflection = mean(samples_);
+    momentNow_ = true;
+    beginPhase(Phase::swinging);
+}
+
+void TenSteps::measureSwing() {
+    swing_->note(phaseTime_, double(rig_->centreOfMass().z()));
+    if (phaseTime_ < swinging.duration && std::isnan(swing_->period())) return;
+    endStep();
+}
+
+void TenSteps::endStep() {
+    Result& result = results_.back();
+    result.swingPeriod = swing_->period();
+    const double perFrame = computing_ / frames_;
+    result.simulationRate = 1 / perFrame;
+    result.frameRate = 1 / (perFrame + drawing_);
+    if (static_cast<int>(results_.size()) > steps)
+        done_ = true;
+    else
+        beginStep(static_cast<int>(results_.size()));
+}
+
+bool TenSteps::finished() const { return done_; }
+
+double TenSteps::progress() const {
+    if (done_) return 1;
+    const double whole = settling.duration + blowing.duration + swinging.duration;
+    const double before = phase_ == Phase::settling  ? 0
+                          : phase_ == Phase::blowing ? settling.duration
+                                                     : settling.duration + blowing.duration;
+    return (double(results_.size() - 1) + (before + phaseTime_) / whole) / (steps + 1);
+}
+
+std::string TenSteps::status() const {
+    static const char* const names[] = {"settling", "in the wind", "swinging"};
+    return "step " + std::to_string(results_.size() - 1) + " of " + std::to_string(steps) + ", " +
+           names[static_cast<int>(phase_)];
+}
+
+viewer::Picture TenSteps::picture() const {
+    viewer::Picture picture;
+    rig_->show(picture);
+    picture.camera.target = {0, 2.05f, 0.45f};
+    picture.camera.distance = 6.6f;
+    picture.camera.yaw = 0.62f;
+    picture.camera.pitch = 0.10f;
+    std::ostringstream text;
+    text << std::fixed << "step " << results_.size() - 1 << ": " << std::setprecision(3)
+         << 1e3 * rig_->waterOfInnerNode() << " g of water per node, " << std::setprecision(2) << rig_->mass() << " kg";
+    picture.caption.push_back(text.str());
+    return picture;
+}
+
+std::optional<std::string> TenSteps::moment() const {
+    if (!momentNow_) return std::nullopt;
+    std::ostringstream name;
+    name << "step-" << std::setw(2) << std::setfill('0') << results_.size() - 1;
+    return name.str();
+}
+
+void TenSteps::noteDrawTime(double seconds) { drawing_ = seconds; }
+
+std::vector<SceneSheet> TenSteps::sheets() { return {{fabric_.name, &rig_->cloth()}}; }
+
+Table TenSteps::table() const {
+    Table table;
+    table.columns = {{"step", 0},         {"water_g_per_node", 3}, {"sheet_mass_kg", 4},       {"mass_ratio", 4},
+                     {"sag_m", 4},        {"mean_strain", 5},      {"wind_deflection_deg", 2}, {"swing_period_s", 3},
+                     {"albedo", 4},       {"sim_fps", 1},          {"frame_fps", 1}};
+    for (std::size_t step = 0; step < results_.size(); ++step) {
+        const Result& r = results_[step];
+        if (std::isnan(r.sag)) continue;
+        table.rows.push_back({double(step), r.waterPerNode, r.sheetMass, r.massRatio, r.sag, r.meanStrain,
+                              r.windDeflection, r.swingPeriod, r.albedo, r.simulationRate, r.frameRate});
+    }
+    return table;
+}
+
+void TenSteps::report(std::ostream& out) const {
+    const Table all = table();
+    print(out, all);
+    if (all.rows.empty()) return;
+
+    out << "\nSubsteps per frame of 1/60 s, one sweep each, as many as the stiffness of the links needs:";
+    for (std::size_t step = 0; step < all.rows.size(); ++step) out << ' ' << results_[step].substeps;
+    out << "\nWater runs " << waterSpeed << " times as fast as mechanics while it is taken up. Wind " << windSpeed_
+        << " m/s. Fabric: " << fabric_.name << ".\n";
+
+    Table comparison;
+    comparison.columns = all.columns;
+    for (const std::size_t step : {0, 1, 4, 7, 10})
+        if (step < all.rows.size()) comparison.rows.push_back(all.rows[step]);
+    out << "\nDry, first, fourth, seventh and tenth step side by side:\n";
+    print(out, comparison);
+}
+
+std::vector<std::string> TenSteps::failures() const {
+    std::vector<std::string> list;
+    const auto grows = [&](const char* what, double Result::*value, bool up) {
+        for (std::size_t step = 1; step < results_.size(); ++step) {
+            const double before = results_[step - 1].*value, now = results_[step].*value;
+            if (std::isnan(now)) continue;  // not reached, or nothing to measure
+            if (up ? now > before : now < before) continue;
+            std::ostringstream text;
+            text << what << " should " << (up ? "grow" : "fall") << " with every step, but goes from " << before << " to "
+                 << now << " at step " << step;
+            list.push_back(text.str());
+        }
+    };
+    grows("the sheet's mass", &Result::sheetMass, true);
+    grows("sag", &Result::sag, true);
+    grows("mean strain", &Result::meanStrain, true);
+    grows("wind deflection", &Result::windDeflection, false);
+    grows("albedo", &Result::albedo, false);
+    for (std::size_t step = 0; step < results_.size(); ++step) {
+        const Result& result = results_[step];
+        if (result.imbalance > 1e-6)
+            list.push_back("the ledger of step " + std::to_string(step) + " is open by " +
+                           std::to_string(result.imbalance) + " of what was supplied");
+        const double expected = 1e3 * shareOfSaturation(static_cast<int>(step)) * fabric_.poreCapacity() *
+                                cottonSpacing() * cottonSpacing();
+        if (options_.resolution == 55 && std::abs(result.waterPerNode - expected) > 1e-3)
+            list.push_back("an inner node of step " + std::to_string(step) + " holds " +
+                           std::to_string(result.waterPerNode) + " g instead of " + std::to_string(expected) + " g");
+    }
+    return list;
+}
+
+}  // namespace drench::demo

@@ -1,0 +1,82 @@
+// The wetting experiment: a hanging sheet, dry and then with ten amounts of water up to saturation.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "../bullet_world.h"
+#include "../scene.h"
+
+namespace drench::demo {
+
+/// A sheet of 55 x 45 nodes hangs by its two upper corners over a ball and the ground. Step 0 is dry; steps n = 1..10 hold
+/// 0.010 + 0.083 n grams of water per inner node of cotton, the last of which is saturation; other fabrics get the
+/// same shares of their own saturation. Each step starts from a flat sheet at rest, takes its water up through the
+/// absorption of its cloth, settles in still air, is measured, then blown at, measured again, and let swing.
+class TenSteps final : public Scene {
+  public:
+    explicit TenSteps(const SceneOptions& options);
+    ~TenSteps() override;
+
+    void advance() override;
+    bool finished() const override;
+    double progress() const override;
+    std::string status() const override;
+    viewer::Picture picture() const override;
+    std::optional<std::string> moment() const override;
+    void noteDrawTime(double seconds) override;
+    std::vector<SceneSheet> sheets() override;
+    double& windSpeed() override { return windSpeed_; }
+    Table table() const override;
+    void report(std::ostream& out) const override;
+    std::vector<std::string> failures() const override;
+
+    /// What is known of a step; NaN where it is not measured yet.
+    struct Result {
+        double waterPerNode;    // g, of an inner node
+        double sheetMass;       // kg
+        double massRatio;       // to the dry sheet
+        double sag;             // m, of the upper edge's middle below the line between the corners, still air
+        double meanStrain;      // of stretch and shear links, still air
+        double windDeflection;  // degrees, of the line from the upper edge to the sheet's centre of mass
+        double swingPeriod;     // s, after the wind has stopped
+        double albedo;          // mean of the three channels and all nodes
+        double simulationRate;  // frames of 1/60 s simulated per second of computing
+        double frameRate;       // the same with drawing
+        int substeps;           // a frame
+        double imbalance;       // of the ledger, relative to what was supplied
+    };
+
+  private:
+    class Rig;
+    class Swing;
+
+    enum class Phase { settling, blowing, swinging };
+
+    void beginStep(int step);
+    void beginPhase(Phase phase);
+    double windNow() const;
+    void measureStill();
+    void measureWind();
+    void measureSwing();
+    void endStep();
+
+    SceneOptions options_;
+    Fabric fabric_;
+    double windSpeed_;
+    std::unique_ptr<Rig> rig_;
+    std::unique_ptr<Swing> swing_;
+    std::vector<Result> results_;  // the last one is of the step under way
+    Phase phase_ = Phase::settling;
+    double phaseTime_ = 0;  // s since the phase began
+    std::vector<double> samples_;    // sag or deflection over the end of the phase
+    std::vector<double> strains_;  // mean strain over the same
+    double totalTime_ = 0;  // s simulated since the experiment began
+    double computing_ = 0;  // s of computing in this step
+    int frames_ = 0;        // simulated in this step
+    double drawing_ = 0;    // s that the last picture took; NaN before
+    bool momentNow_ = false;
+    bool done_ = false;
+};
+
+}  // namespace drench::demo

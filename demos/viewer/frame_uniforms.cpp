@@ -1,0 +1,54 @@
+#include "viewer/frame_uniforms.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace drench::viewer {
+
+namespace {
+
+std::array<float, 4> packed(const Eigen::Vector3f& vector, float last) {
+    return {vector.x(), vector.y(), vector.z(), last};
+}
+
+void addBalls(FrameUniforms& uniforms, const std::vector<Ball>& balls) {
+    const std::size_t count = std::min(balls.size(), FrameUniforms::mostBalls);
+    for (std::size_t i = 0; i < count; ++i) {
+        uniforms.balls[i] = packed(balls[i].centre, balls[i].radius);
+    }
+    uniforms.ground[1] = static_cast<float>(count);
+}
+
+}  // namespace
+
+FrameUniforms cameraUniforms(const Picture& picture, const std::vector<Ball>& balls, float aspect,
+                             const ShadowFit& shadow) {
+    FrameUniforms uniforms{};
+    const Eigen::Matrix4f clipFromWorld = picture.camera.projection(aspect) * picture.camera.view();
+    uniforms.clipFromWorld = clipFromWorld;
+    // The sky needs directions only, and rays from the eye stay exact however far the far plane is.
+    Eigen::Matrix4f turned = picture.camera.view();
+    turned.topRightCorner<3, 1>().setZero();
+    uniforms.worldFromClip = (picture.camera.projection(aspect) * turned).inverse();
+    uniforms.shadowFromWorld = shadow.clipFromWorld;
+    uniforms.eye = packed(picture.camera.eye(), 1.0f);
+    uniforms.towardsSun = packed(picture.towardsSun.normalized(), 0.0f);
+    uniforms.shadowSize = {shadow.side, shadow.texel, shadow.depth, 0.0f};
+    uniforms.ground[0] = picture.groundHeight;
+    addBalls(uniforms, balls);
+    return uniforms;
+}
+
+FrameUniforms sunUniforms(const FrameUniforms& camera, const ShadowFit& shadow) {
+    FrameUniforms uniforms = camera;
+    uniforms.clipFromWorld = shadow.clipFromWorld;
+    return uniforms;
+}
+
+void FrameBlock::bind(const FrameUniforms& uniforms) const {
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer_.name());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer_.name());
+}
+
+}  // namespace drench::viewer

@@ -1,0 +1,47 @@
+// What every shader knows about the frame.
+#pragma once
+
+#include <array>
+
+#include "viewer/gl_object.h"
+#include "viewer/picture.h"
+#include "viewer/shadow_fit.h"
+
+namespace drench::viewer {
+
+// The uniform block Frame of shaders_lighting.h in std140 layout; the two must be changed together.
+struct FrameUniforms {
+    static constexpr std::size_t mostBalls = 8;
+
+    Eigen::Matrix<float, 4, 4, Eigen::DontAlign> clipFromWorld;
+    Eigen::Matrix<float, 4, 4, Eigen::DontAlign> worldFromClip;
+    Eigen::Matrix<float, 4, 4, Eigen::DontAlign> shadowFromWorld;
+    std::array<float, 4> eye;
+    std::array<float, 4> towardsSun;
+    // Side, texel and depth of the shadow map, metres.
+    std::array<float, 4> shadowSize;
+    // Ground height and number of balls.
+    std::array<float, 4> ground;
+    // Centre and radius of the balls that darken what is near them.
+    std::array<std::array<float, 4>, mostBalls> balls;
+};
+
+// The block as the camera sees the picture, `aspect` times as wide as high, with the picture's drawable
+// balls.
+FrameUniforms cameraUniforms(const Picture& picture, const std::vector<Ball>& balls, float aspect,
+                             const ShadowFit& shadow);
+
+// The same block with the sun's view in place of the camera's, for drawing the shadow map.
+FrameUniforms sunUniforms(const FrameUniforms& camera, const ShadowFit& shadow);
+
+// A FrameUniforms block in graphics memory.
+class FrameBlock {
+  public:
+    // Uploads the values and makes the following draw calls use them.
+    void bind(const FrameUniforms& uniforms) const;
+
+  private:
+    Buffer buffer_;
+};
+
+}  // namespace drench::viewer

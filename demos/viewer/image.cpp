@@ -1,0 +1,167 @@
+#include "viewer/image.h"
+
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace drench::viewer {
+
+namespace {
+
+std::runtime_error fileError(const std::string& what, const std::filesystem::path& path,
+                             const std::string& why) {
+    return std::runtime_error("viewer: cannot " + what + " " + path.string() + ": " + why);
+}
+
+std::size_t byteCount(int width, int height) {
+    return 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
+
+void requireWhole(const Image& image) {
+    if (image.width < 1 || image.height < 1 || image.rgb.size() != byteCount(image.width, image.height)) {
+        throw std::runtime_error(
+            "viewer: an image must be at least 1 x 1 and hold 3 bytes a pixel; this one is " +
+            std::to_string(image.width) + " x " + std::to_string(image.height) + " with " +
+            std::to_string(image.rgb.size()) + " bytes");
+    }
+}
+
+void append(void* context, void* data, int size) {
+    const auto* bytes = static_cast<const char*>(data);
+    static_cast<std::vector<char>*>(context)->insert(static_cast<std::vector<char>*>(context)->end(), bytes,
+                                                     bytes + size);
+}
+
+void writeBytes(const std::filesystem::path& path, const std::vector<char>& bytes) {
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) {
+        throw fileError("write", path, "is the folder writable and the disk not full?");
+    }
+}
+
+std::array<float, 256> linearLightTable() {
+    std::array<float, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const float encoded = static_cast<float>(i) / 255.0f;
+        table[i] = encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+    }
+    return table;
+}
+
+std::uint8_t encoded(float light) {
+    const float value = light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1.0f / 2.4f) - 0.055f;
+    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+}
+
+}  // namespace
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+    requireWhole(image);
+    std::vector<char> bytes;
+    if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.rgb.data(),
+                               3 * image.width) == 0) {
+        throw fileError("write", path, "the PNG encoder ran out of memory");
+    }
+    std::error_code error;
+    if (path.has_parent_path()) {
+        std::filesystem::create_directories(path.parent_path(), error);
+        if (error) {
+            throw fileError("create the folder of", path, error.message());
+        }
+    }
+    std::filesystem::path unfinished = path;
+    unfinished += ".part";
+    writeBytes(unfinished, bytes);
+    std::filesystem::rename(unfinished, path, error);
+    if (error) {
+        std::error_code ignored;
+        std::filesystem::remove(unfinished, ignored);
+        throw fileError("write", path, error.message());
+    }
+}
+
+Image readPng(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        throw fileError("read", path, "no such file, or not readable");
+    }
+    const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    Image image;
+    int channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
+                              &image.width, &image.height, &channels, 3),
+        stbi_image_free);
+    if (!pixels) {
+        throw fileError("read", path, "not a PNG file");
+    }
+    image.rgb.assign(pixels.get(), pixels.get() + byteCount(image.width, image.height));
+    return image;
+}
+
+Image contactSheet(const std::vector<Image>& images, int columns, int gap) {
+    if (images.empty() || columns < 1 || gap < 0) {
+        throw std::runtime_error("viewer: a contact sheet needs an image, a column and a gap of 0 or more");
+    }
+    const Image& first = images.front();
+    for (const Image& image : images) {
+        requireWhole(image);
+        if (image.width != first.width || image.height != first.height) {
+            throw std::runtime_error("viewer: the images of a contact sheet must all have the same size");
+        }
+    }
+    const int count = static_cast<int>(images.size());
+    columns = std::min(columns, count);
+    const int rows = (count + columns - 1) / columns;
+    Image sheet{columns * first.width + (columns - 1) * gap, rows * first.height + (rows - 1) * gap, {}};
+    sheet.rgb.assign(byteCount(sheet.width, sheet.height), 255);
+    for (int i = 0; i < count; ++i) {
+        const int left = (i % columns) * (first.width + gap);
+        const int top = (i / columns) * (first.height + gap);
+        for (int y = 0; y < first.height; ++y) {
+            const auto from = images[static_cast<std::size_t>(i)].rgb.begin() +
+                              static_cast<std::ptrdiff_t>(byteCount(first.width, y));
+            std::copy_n(from, 3 * first.width,
+                        sheet.rgb.begin() + static_cast<std::ptrdiff_t>(byteCount(sheet.width, top + y) +
+                                                                        byteCount(left, 1)));
+        }
+    }
+    return sheet;
+}
+
+Image scaledDown(const Image& image, int factor) {
+    requireWhole(image);
+    if (factor < 1 || factor > image.width || factor > image.height) {
+        throw std::runtime_error("viewer: an image can be scaled down by 1 up to its shorter side");
+    }
+    const std::array<float, 256> light = linearLightTable();
+    Image small{image.width / factor, image.height / factor, {}};
+    small.rgb.resize(byteCount(small.width, small.height));
+    const float share = 1.0f / static_cast<float>(factor * factor);
+    for (int y = 0; y < small.height; ++y) {
+        for (int x = 0; x < 3 * small.width; ++x) {
+            float sum = 0.0f;
+            for (int block = 0; block < factor * factor; ++block) {
+                const int column = (x / 3) * factor + block % factor;
+                const int row = y * factor + block / factor;
+                const std::size_t pixel = byteCount(image.width, row) + byteCount(column, 1);
+                sum += light[image.rgb[pixel + static_cast<std::size_t>(x % 3)]];
+            }
+            small.rgb[byteCount(small.width, y) + static_cast<std::size_t>(x)] = encoded(share * sum);
+        }
+    }
+    return small;
+}
+
+}  // namespace drench::viewer

@@ -1,0 +1,39 @@
+// An ImGui context of our own, drawing through its OpenGL 3 backend.
+#pragma once
+
+#include <imgui.h>
+
+namespace drench::viewer {
+
+// Owns an ImGui context and its OpenGL 3 backend; several can live side by side on one OpenGL context.
+class ImGuiSession {
+  public:
+    // Makes a session current and puts the former context back when it goes out of scope.
+    class Use {
+      public:
+        explicit Use(const ImGuiSession& session) : former_(ImGui::GetCurrentContext()) {
+            ImGui::SetCurrentContext(session.context_);
+        }
+        ~Use() { ImGui::SetCurrentContext(former_); }
+        Use(const Use&) = delete;
+        Use& operator=(const Use&) = delete;
+
+      private:
+        ImGuiContext* former_;
+    };
+
+    // Needs a current OpenGL context; leaves the current ImGui context as it was. Throws std::runtime_error
+    // when the OpenGL library cannot be loaded.
+    ImGuiSession();
+    ~ImGuiSession();
+    ImGuiSession(const ImGuiSession&) = delete;
+    ImGuiSession& operator=(const ImGuiSession&) = delete;
+
+    // Makes this the current ImGui context until further notice.
+    void makeCurrent() const { ImGui::SetCurrentContext(context_); }
+
+  private:
+    ImGuiContext* context_;
+};
+
+}  // namespace drench::viewer

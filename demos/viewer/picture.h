@@ -1,0 +1,94 @@
+// What a picture shows, as plain data. Lengths are metres, angles are radians, y is up, colours are linear
+// RGB from 0 to 1.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace drench::viewer {
+
+// A two-sided cloth surface; the renderer computes its normals. A sheet without triangles, or with a position
+// that is not finite or lies more than 100 km out, is left out of the picture.
+struct SheetMesh {
+    // Where each node is.
+    std::vector<Eigen::Vector3f> positions;
+    // The diffuse colour of each node; as many as positions.
+    std::vector<Eigen::Vector3f> albedo;
+    // How much of each node a film of water covers, 0 (matt) to 1 (glossy); as many as positions.
+    std::vector<float> gloss;
+    // Three node indices each, wound alike over the whole sheet.
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    // Where each node lies in the flat cloth, for a faint weave; as many as positions, or empty for no weave.
+    std::vector<Eigen::Vector2f> clothCoordinates;
+};
+
+// A striped ball.
+struct Ball {
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+    // Above 0; a ball of radius 0 or less is left out.
+    float radius = 0.1f;
+    // Turns the stripes; has unit length.
+    Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+    // Colour of the dark stripes; the light ones are a paler tone of it.
+    Eigen::Vector3f albedo = Eigen::Vector3f(0.65f, 0.16f, 0.08f);
+};
+
+// A rod with round ends: a piece of clothes line, a post or a pin.
+struct Rod {
+    Eigen::Vector3f from = Eigen::Vector3f::Zero();
+    Eigen::Vector3f to = Eigen::Vector3f::UnitY();
+    // Above 0; the round ends reach this far beyond `from` and `to`.
+    float radius = 0.01f;
+    Eigen::Vector3f albedo = Eigen::Vector3f(0.4f, 0.4f, 0.4f);
+};
+
+// A perspective camera that circles round the point it looks at.
+struct Camera {
+    // The point in the middle of the picture.
+    Eigen::Vector3f target = Eigen::Vector3f(0.0f, 1.2f, 0.0f);
+    // From the eye to the target, above 0.
+    float distance = 5.0f;
+    // 0 looks along -z (the eye is on the +z side); growing yaw carries the eye towards +x.
+    float yaw = 0.0f;
+    // 0 looks level, growing pitch raises the eye; stays short of a quarter turn either way.
+    float pitch = 0.15f;
+    // Full angle between the lower and the upper edge of the picture, between 0 and pi.
+    float verticalFieldOfView = 0.75f;
+
+    // Where the eye is.
+    Eigen::Vector3f eye() const;
+    // Unit vector from the eye towards the target.
+    Eigen::Vector3f forward() const;
+    // Unit vector to the right of the picture.
+    Eigen::Vector3f right() const;
+    // World to eye space (x right, y up, looking along -z), 4 x 4.
+    Eigen::Matrix4f view() const;
+    // Eye space to OpenGL clip space for a picture `aspect` times as wide as high, 4 x 4.
+    Eigen::Matrix4f projection(float aspect) const;
+    // Distance of the near plane; nothing closer is drawn.
+    float nearPlane() const;
+    // Distance of the far plane.
+    float farPlane() const;
+    // Throws std::runtime_error, naming the field, unless every field is finite and in its range.
+    void check() const;
+};
+
+// Everything one frame shows.
+struct Picture {
+    std::vector<SheetMesh> sheets;
+    std::vector<Ball> balls;
+    std::vector<Rod> rods;
+    // Height of the level ground; it is seen from above only.
+    float groundHeight = 0.0f;
+    // Points from the scene to the sun; any length above 0.
+    Eigen::Vector3f towardsSun = Eigen::Vector3f(-0.62f, 0.75f, 0.50f);
+    Camera camera;
+    // Lines of UTF-8 text, written from the top left corner downwards; long lines are wrapped.
+    std::vector<std::string> caption;
+};
+
+}  // namespace drench::viewer

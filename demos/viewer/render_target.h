@@ -1,0 +1,75 @@
+// Framebuffers to draw into and read back.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "viewer/gl_object.h"
+#include "viewer/image.h"
+
+namespace drench::viewer {
+
+// A smoothed (multisampled) linear-light picture under construction, with depth.
+class SceneTarget {
+  public:
+    // Both sides in pixels, 1 or more; throws std::runtime_error when the driver cannot provide it.
+    SceneTarget(int width, int height);
+
+    // Makes the following draw calls draw here.
+    void bind() const;
+    // Averages the samples of each pixel and leaves the result in texture().
+    void resolve() const;
+
+    GLuint texture() const { return resolvedColour_.name(); }
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+  private:
+    int width_;
+    int height_;
+    Renderbuffer colour_;
+    Renderbuffer depth_;
+    Framebuffer framebuffer_;
+    Texture resolvedColour_;
+    Framebuffer resolved_;
+};
+
+// A finished picture of 8 bits a channel that can be read back.
+class ImageTarget {
+  public:
+    // Both sides in pixels, 1 or more; throws std::runtime_error when the driver cannot provide it.
+    ImageTarget(int width, int height);
+
+    GLuint framebuffer() const { return framebuffer_.name(); }
+    // Waits for the drawing to finish.
+    Image read() const;
+
+  private:
+    int width_;
+    int height_;
+    Renderbuffer colour_;
+    Framebuffer framebuffer_;
+};
+
+// The depth of the scene seen from the sun.
+class ShadowTarget {
+  public:
+    // Side of the square map in pixels; throws std::runtime_error when the driver cannot provide it.
+    explicit ShadowTarget(int resolution);
+
+    // Makes the following draw calls draw here.
+    void bind() const;
+    // Puts the map at texture unit 0 for comparing lookups and at unit 2 for plain ones.
+    void bindForLookup() const;
+    // Takes the plain lookup away again, which would be in the way of other users of unit 2.
+    void unbind() const { glBindSampler(2, 0); }
+    int resolution() const { return resolution_; }
+
+  private:
+    int resolution_;
+    Texture depth_;
+    Sampler plain_;
+    Framebuffer framebuffer_;
+};
+
+}  // namespace drench::viewer

@@ -1,0 +1,38 @@
+// Draws pictures with OpenGL 3.3.
+#pragma once
+
+#include <memory>
+
+#include "viewer/image.h"
+#include "viewer/picture.h"
+
+namespace drench::viewer {
+
+// Draws into the OpenGL context that was current when it was made; that context must be current in every call
+// and must outlive the renderer.
+class Renderer {
+  public:
+    // Throws std::runtime_error when no context is current, when its OpenGL is older than 3.3 or when the
+    // driver refuses a shader.
+    Renderer();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    // Draws the picture over the whole of `framebuffer` (0: the window), which is width x height pixels; does
+    // nothing when either is below 1. Leaves the framebuffer bound. Throws std::runtime_error on a camera, a
+    // sun or a sheet that picture.h does not allow, or a size that the driver cannot provide.
+    void draw(const Picture& picture, int width, int height, unsigned framebuffer = 0);
+
+    // Draws the picture off screen and returns it; throws as draw does, and also on a size below 1 x 1.
+    Image capture(const Picture& picture, int width, int height);
+
+    // OpenGL errors since construction, 0 when all is well.
+    int glErrors() const;
+
+  private:
+    class Scene;
+    std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace drench::viewer

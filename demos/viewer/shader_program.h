@@ -1,0 +1,30 @@
+// Compiled and linked shaders.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "viewer/gl_object.h"
+
+namespace drench::viewer {
+
+// A vertex and a fragment shader, linked. Its uniform block Frame stands at binding 0; its samplers
+// sunShadow, scene and sunDepth at the texture units 0, 1 and 2.
+class ShaderProgram {
+  public:
+    // Joins each list of source pieces behind a #version 330 line. Throws std::runtime_error with the
+    // driver's log and the program's name when they do not compile or link.
+    ShaderProgram(const std::string& name, std::initializer_list<std::string_view> vertexPieces,
+                  std::initializer_list<std::string_view> fragmentPieces);
+
+    // Makes the following draw calls use this program.
+    void use() const { glUseProgram(program_.name()); }
+
+  private:
+    void bindInputs() const;
+
+    GlObject<ProgramKind> program_;
+};
+
+}  // namespace drench::viewer

@@ -1,0 +1,28 @@
+// A sheet as the graphics card wants it; plain arithmetic, no OpenGL.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "viewer/picture.h"
+
+namespace drench::viewer {
+
+// One node of a sheet with all that its shading needs.
+struct SheetVertex {
+    Eigen::Vector3f position;
+    // Unit length, averaged over the triangles round the node by area.
+    Eigen::Vector3f normal;
+    Eigen::Vector3f albedo;
+    float gloss;
+    // How far the surface bends towards its normal, 1/m: above 0 in a hollow, below 0 on a ridge.
+    float hollow;
+    // In the flat cloth, metres.
+    Eigen::Vector2f clothCoordinates;
+};
+
+// The vertices to draw; nothing when the sheet has no triangles or a value that is not finite. Throws
+// std::runtime_error when the list sizes disagree or a triangle names a node that does not exist.
+std::optional<std::vector<SheetVertex>> sheetSurface(const SheetMesh& sheet);
+
+}  // namespace drench::viewer

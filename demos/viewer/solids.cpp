@@ -1,0 +1,102 @@
+#include "viewer/solids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace drench::viewer {
+
+namespace {
+
+constexpr float farthest = 1e5f;
+
+bool drawable(const Eigen::Vector3f& point) {
+    return point.allFinite() && point.cwiseAbs().maxCoeff() <= farthest;
+}
+
+bool drawable(float radius) {
+    return radius > 0.0f && radius <= farthest;
+}
+
+std::array<float, 4> packed(const Eigen::Vector3f& vector, float last) {
+    return {vector.x(), vector.y(), vector.z(), last};
+}
+
+const void* bufferOffset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);
+}
+
+}  // namespace
+
+std::vector<Ball> drawableBalls(const std::vector<Ball>& balls) {
+    std::vector<Ball> kept;
+    std::copy_if(balls.begin(), balls.end(), std::back_inserter(kept), [](const Ball& ball) {
+        return drawable(ball.centre) && drawable(ball.radius) && ball.albedo.allFinite() &&
+               ball.orientation.coeffs().allFinite();
+    });
+    return kept;
+}
+
+std::vector<Rod> drawableRods(const std::vector<Rod>& rods) {
+    std::vector<Rod> kept;
+    std::copy_if(rods.begin(), rods.end(), std::back_inserter(kept), [](const Rod& rod) {
+        return drawable(rod.from) && drawable(rod.to) && drawable(rod.radius) && rod.albedo.allFinite();
+    });
+    return kept;
+}
+
+std::vector<SolidInstance> instances(const std::vector<Ball>& balls) {
+    std::vector<SolidInstance> packedBalls;
+    for (const Ball& ball : balls) {
+        const Eigen::Quaternionf& turn = ball.orientation;
+        packedBalls.push_back({packed(ball.centre, ball.radius),
+                               {turn.x(), turn.y(), turn.z(), turn.w()},
+                               packed(ball.albedo, 1.0f)});
+    }
+    return packedBalls;
+}
+
+std::vector<SolidInstance> instances(const std::vector<Rod>& rods) {
+    std::vector<SolidInstance> packedRods;
+    for (const Rod& rod : rods) {
+        packedRods.push_back({packed(rod.from, rod.radius), packed(rod.to, 1.0f), packed(rod.albedo, 1.0f)});
+    }
+    return packedRods;
+}
+
+Solids::Solids(const CapsuleMesh& mesh) : indexCount_(static_cast<GLsizei>(3 * mesh.triangles.size())) {
+    glBindVertexArray(vertexArray_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(mesh.vertices[0])),
+                 mesh.vertices.data(), GL_STATIC_DRAW);
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(mesh.vertices[0]), nullptr);
+    glEnableVertexAttribArray(0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(mesh.triangles[0])),
+                 mesh.triangles.data(), GL_STATIC_DRAW);
+    glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
+    for (GLuint i = 0; i < 3; ++i) {
+        glVertexAttribPointer(1 + i, 4, GL_FLOAT, GL_FALSE, sizeof(SolidInstance),
+                              bufferOffset(i * sizeof(std::array<float, 4>)));
+        glVertexAttribDivisor(1 + i, 1);
+        glEnableVertexAttribArray(1 + i);
+    }
+    glBindVertexArray(0);
+}
+
+void Solids::upload(const std::vector<SolidInstance>& instances) {
+    instanceCount_ = static_cast<GLsizei>(instances.size());
+    glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(SolidInstance)),
+                 instances.data(), GL_STREAM_DRAW);
+}
+
+void Solids::draw() const {
+    if (instanceCount_ > 0) {
+        glBindVertexArray(vertexArray_.name());
+        glDrawElementsInstanced(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr, instanceCount_);
+    }
+}
+
+}  // namespace drench::viewer
