@@ -23,7 +23,8 @@ btRigidBody& BulletWorld::addBall(const btVector3& centre, double radius, double
     return add(std::make_unique<btSphereShape>(btScalar(radius)), centre, mass);
 }
 
-btRigidBody& BulletWorld::add(std::unique_ptr<btCollisionShape> shape, const btVector3& position, double mass) {
+btRigidBody& BulletWorld::add(std::unique_ptr<btCollisionShape> shape, const btVector3& position,
+                              double mass) {
     btVector3 inertia(0, 0, 0);
     if (mass > 0) shape->calculateLocalInertia(btScalar(mass), inertia);
     btRigidBody::btRigidBodyConstructionInfo info(btScalar(mass), nullptr, shape.get(), inertia);

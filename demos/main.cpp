@@ -11,7 +11,10 @@ int main(int argc, char** argv) {
     const ParsedOptions parsed = parseOptions(argc, argv);
     if (parsed.exitStatus) return *parsed.exitStatus;
     try {
-        if (parsed.options.headless) return runHeadless(parsed.options);
+        if (parsed.options.headless) {
+            const auto scene = sceneByName(parsed.options.scene).make(parsed.options.sceneOptions);
+            return runHeadless(*scene, parsed.options);
+        }
         if (!drench::viewer::Window::displayAvailable()) {
             std::cerr << "drench-demo: there is no display to open a window on; run with --headless\n";
             return 2;

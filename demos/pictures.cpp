@@ -4,7 +4,9 @@
 
 namespace drench::demo {
 
-Eigen::Vector3f toEigen(const btVector3& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
+Eigen::Vector3f toEigen(const btVector3& v) {
+    return {float(v.x()), float(v.y()), float(v.z())};
+}
 
 viewer::SheetMesh sheetMesh(const btSoftBody& body, const WetCloth& cloth) {
     viewer::SheetMesh mesh;
@@ -13,7 +15,8 @@ viewer::SheetMesh sheetMesh(const btSoftBody& body, const WetCloth& cloth) {
         mesh.positions.push_back(toEigen(body.m_nodes[n].m_x));
         mesh.albedo.emplace_back(float(albedo[0]), float(albedo[1]), float(albedo[2]));
         mesh.gloss.push_back(float(cloth.gloss(n)));
-        mesh.clothCoordinates.push_back(cloth.materialCoordinates()[static_cast<std::size_t>(n)].cast<float>());
+        mesh.clothCoordinates.push_back(
+            cloth.materialCoordinates()[static_cast<std::size_t>(n)].cast<float>());
     }
     for (int f = 0; f < body.m_faces.size(); ++f) {
         std::array<std::uint32_t, 3> triangle;
@@ -29,7 +32,8 @@ viewer::Ball ball(const btRigidBody& body) {
     viewer::Ball result;
     result.centre = toEigen(body.getWorldTransform().getOrigin());
     result.radius = float(static_cast<const btSphereShape*>(body.getCollisionShape())->getRadius());
-    result.orientation = Eigen::Quaternionf(float(turn.w()), float(turn.x()), float(turn.y()), float(turn.z()));
+    result.orientation =
+        Eigen::Quaternionf(float(turn.w()), float(turn.x()), float(turn.y()), float(turn.z()));
     return result;
 }
 

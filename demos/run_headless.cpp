@@ -27,7 +27,8 @@ class Album {
     /// Draws a picture and writes it under `name`.
     /// @return the time that drawing took, s
     double add(const viewer::Picture& picture, const std::string& name) {
-        if (images_.empty()) renderer_.capture(picture, pictureWidth, pictureHeight);  // the first one compiles shaders
+        if (images_.empty())
+            renderer_.capture(picture, pictureWidth, pictureHeight);  // the first one compiles shaders
         const auto before = std::chrono::steady_clock::now();
         viewer::Image image = renderer_.capture(picture, pictureWidth, pictureHeight);
         const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
@@ -78,28 +79,27 @@ std::string frameName(int frame) {
 
 }  // namespace
 
-int runHeadless(const RunOptions& options) {
-    const auto scene = sceneByName(options.scene).make(options.sceneOptions);
+int runHeadless(Scene& scene, const RunOptions& options) {
     std::unique_ptr<Album> album;
     if (!options.frames.empty()) album = std::make_unique<Album>(options.frames);
 
     ProgressLine progress;
-    for (int frame = 1; !scene->finished(); ++frame) {
-        scene->advance();
-        progress.show(*scene);
+    for (int frame = 1; !scene.finished(); ++frame) {
+        scene.advance();
+        progress.show(scene);
         if (!album) continue;
-        if (const auto moment = scene->moment())
-            scene->noteDrawTime(album->add(scene->picture(), *moment));
+        if (const auto moment = scene.moment())
+            scene.noteDrawTime(album->add(scene.picture(), *moment));
         else if (options.every > 0 && frame % options.every == 0)
-            scene->noteDrawTime(album->add(scene->picture(), frameName(frame)));
+            scene.noteDrawTime(album->add(scene.picture(), frameName(frame)));
     }
     progress.end();
 
-    scene->report(std::cout);
-    writeResult(options, *scene);
+    scene.report(std::cout);
+    writeResult(options, scene);
     if (album) album->writeContactSheet();
 
-    const auto failures = scene->failures();
+    const auto failures = scene.failures();
     for (const std::string& failure : failures) std::cerr << "check failed: " << failure << '\n';
     std::cout << (failures.empty() ? "\ncheck passed\n" : "\ncheck failed\n");
     return failures.empty() ? 0 : 1;

@@ -17,6 +17,19 @@ std::vector<std::string> sceneNames() {
     return names;
 }
 
+/// CLI11's own range check lets "nan" through.
+CLI::Validator secondsInRange() {
+    constexpr double shortest = 0.02, longest = 86400;
+    return CLI::Validator(
+        [](const std::string& text) -> std::string {
+            double seconds = 0;
+            if (CLI::detail::lexical_cast(text, seconds) && seconds >= shortest && seconds <= longest)
+                return "";
+            return "give a number of seconds from 0.02 to 86400, not '" + text + "'";
+        },
+        "FLOAT in [0.02 - 86400]");
+}
+
 }  // namespace
 
 ParsedOptions parseOptions(int argc, char** argv) {
@@ -24,15 +37,19 @@ ParsedOptions parseOptions(int argc, char** argv) {
     RunOptions& run = parsed.options;
     bool list = false;
 
-    CLI::App app{"Wet cloth on Bullet soft bodies. Opens a window unless --headless is given.", "drench-demo"};
-    app.add_option("SCENE", run.scene, "which scene to run; --list names them")->check(CLI::IsMember(sceneNames()));
+    CLI::App app{"Wet cloth on Bullet soft bodies. Opens a window unless --headless is given.",
+                 "drench-demo"};
+    app.add_option("SCENE", run.scene, "which scene to run; --list names them")
+        ->check(CLI::IsMember(sceneNames()));
     app.add_flag("--list", list, "list the scenes and stop");
     app.add_flag("--headless", run.headless, "run without a window; exits with 1 if the scene's check fails");
-    app.add_option("--seconds", run.sceneOptions.seconds, "simulated seconds after which to end [the scene's own]")
-        ->check(CLI::Range(0.02, 86400.0));
+    app.add_option("--seconds", run.sceneOptions.seconds,
+                   "simulated seconds after which to end [the scene's own]")
+        ->check(secondsInRange());
     app.add_option("--resolution", run.sceneOptions.resolution, "nodes along the warp [the scene's own]")
         ->check(CLI::Range(8, 512));
-    app.add_option("--fabric", run.sceneOptions.fabric, "the cloth [cotton]")->check(CLI::IsMember(fabrics::names()));
+    app.add_option("--fabric", run.sceneOptions.fabric, "the cloth [cotton]")
+        ->check(CLI::IsMember(fabrics::names()));
     app.add_option("--csv", run.csv, "write the result to this file");
     app.add_option("--frames", run.frames, "write pictures (PNG) into this folder");
     app.add_option("--every", run.every, "a picture each so many frames of 1/60 s [the scene's own moments]")

@@ -19,8 +19,8 @@ struct RunOptions {
     int every = 0;                 ///< a picture each so many frames; 0: at the scene's own moments
 };
 
-/// What the command line asks for, or the exit status at once: 0 after --help or --list, 2 for arguments that are off,
-/// with the reason on stderr.
+/// What the command line asks for, or the exit status at once: 0 after --help or --list, 2 for arguments that
+/// are off, with the reason on stderr.
 struct ParsedOptions {
     RunOptions options;
     std::optional<int> exitStatus;

@@ -13,7 +13,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// A scene in a window, one loop an image on the screen.
 class WindowRun {
@@ -45,11 +47,21 @@ class WindowRun {
 
     void obeyKeys() {
         for (const viewer::Key key : window_.keys()) switch (key) {
-                case viewer::Key::pause: paused_ = !paused_; break;
-                case viewer::Key::step: stepOnce_ = true; break;
-                case viewer::Key::reset: restart(); break;
-                case viewer::Key::close: window_.requestClose(); break;
-                case viewer::Key::screenshot: keepPicture("screenshot-" + std::to_string(++screenshots_)); break;
+                case viewer::Key::pause:
+                    paused_ = !paused_;
+                    break;
+                case viewer::Key::step:
+                    stepOnce_ = true;
+                    break;
+                case viewer::Key::reset:
+                    restart();
+                    break;
+                case viewer::Key::close:
+                    window_.requestClose();
+                    break;
+                case viewer::Key::screenshot:
+                    keepPicture("screenshot-" + std::to_string(++screenshots_));
+                    break;
             }
     }
 
@@ -113,6 +125,8 @@ class WindowRun {
 
 }  // namespace
 
-int runInWindow(const RunOptions& options) { return WindowRun(options).loop(); }
+int runInWindow(const RunOptions& options) {
+    return WindowRun(options).loop();
+}
 
 }  // namespace drench::demo

@@ -7,9 +7,9 @@ namespace drench::demo {
 
 /// Runs a scene to its end without a window: progress on stderr, the result on stdout and in files.
 /// @return the exit status: 0, or 1 if the scene's check fails
-int runHeadless(const RunOptions& options);
+int runHeadless(Scene& scene, const RunOptions& options);
 
-/// Runs a scene in a window until that is closed.
+/// Makes the scene that the options name and runs it in a window until that is closed.
 /// @return the exit status
 int runInWindow(const RunOptions& options);
 

@@ -9,10 +9,16 @@ namespace drench::demo {
 
 const std::vector<SceneEntry>& scenes() {
     static const std::vector<SceneEntry> all = {
-        {"ten-steps", "a hanging sheet takes up water in ten steps up to saturation; each is measured in still air and wind",
-         [](const SceneOptions& options) -> std::unique_ptr<Scene> { return std::make_unique<TenSteps>(options); }},
+        {"ten-steps",
+         "a hanging sheet takes up water in ten steps up to saturation; each is measured in still air and "
+         "wind",
+         [](const SceneOptions& options) -> std::unique_ptr<Scene> {
+             return std::make_unique<TenSteps>(options);
+         }},
         {"drape", "a wet and a dry sheet fall on a ball each",
-         [](const SceneOptions& options) -> std::unique_ptr<Scene> { return std::make_unique<Drape>(options); }},
+         [](const SceneOptions& options) -> std::unique_ptr<Scene> {
+             return std::make_unique<Drape>(options);
+         }},
     };
     return all;
 }

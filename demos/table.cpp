@@ -25,7 +25,8 @@ void print(std::ostream& out, const Table& table) {
     std::vector<std::size_t> widths;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
         std::size_t width = table.columns[c].name.size();
-        for (const auto& row : table.rows) width = std::max(width, cell(row[c], table.columns[c].digits).size());
+        for (const auto& row : table.rows)
+            width = std::max(width, cell(row[c], table.columns[c].digits).size());
         widths.push_back(width);
     }
     const auto line = [&](const auto& textOf) {
@@ -34,12 +35,14 @@ void print(std::ostream& out, const Table& table) {
         out << '\n';
     };
     line([&](std::size_t c) { return table.columns[c].name; });
-    for (const auto& row : table.rows) line([&](std::size_t c) { return cell(row[c], table.columns[c].digits); });
+    for (const auto& row : table.rows)
+        line([&](std::size_t c) { return cell(row[c], table.columns[c].digits); });
 }
 
 void writeCsv(const std::filesystem::path& path, const Table& table) {
     std::ostringstream text;
-    for (std::size_t c = 0; c < table.columns.size(); ++c) text << (c > 0 ? "," : "") << table.columns[c].name;
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+        text << (c > 0 ? "," : "") << table.columns[c].name;
     text << '\n' << std::setprecision(9);
     for (const auto& row : table.rows) {
         for (std::size_t c = 0; c < row.size(); ++c) {
@@ -58,7 +61,8 @@ void writeCsv(const std::filesystem::path& path, const Table& table) {
     file.close();
     if (file) std::filesystem::rename(unfinished, path, problem);
     if (!file || problem)
-        throw std::runtime_error("cannot write " + path.string() + "; is it a folder, or in one you may not write to?");
+        throw std::runtime_error("cannot write " + path.string() +
+                                 "; is it a folder, or in one you may not write to?");
 }
 
 }  // namespace drench::demo

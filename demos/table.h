@@ -23,8 +23,8 @@ struct Table {
 /// Writes aligned columns; what was not measured is a dash.
 void print(std::ostream& out, const Table& table);
 
-/// Writes a CSV file with a header line and full digits; what was not measured is empty. Creates parent folders; the file
-/// appears under its name only once it is whole.
+/// Writes a CSV file with a header line and full digits; what was not measured is empty. Creates parent
+/// folders; the file appears under its name only once it is whole.
 /// @throws std::runtime_error that names the path
 void writeCsv(const std::filesystem::path& path, const Table& table);
 

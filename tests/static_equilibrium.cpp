@@ -25,7 +25,8 @@ double energy(const StaticProblem& problem, const Positions& x) {
 
 Eigen::VectorXd forces(const StaticProblem& problem, const Positions& x) {
     Eigen::VectorXd f = Eigen::VectorXd::Zero(Eigen::Index(3 * x.size()));
-    for (size_t n = 0; n < x.size(); ++n) f.segment<3>(Eigen::Index(3 * n)) = problem.masses[n] * problem.gravity;
+    for (size_t n = 0; n < x.size(); ++n)
+        f.segment<3>(Eigen::Index(3 * n)) = problem.masses[n] * problem.gravity;
     for (const Spring& s : problem.springs) {
         const Eigen::Vector3d along = x[size_t(s.nodes[1])] - x[size_t(s.nodes[0])];
         const double length = along.norm();
@@ -39,7 +40,8 @@ Eigen::VectorXd forces(const StaticProblem& problem, const Positions& x) {
 }
 
 /// The energy's second derivative, without the part that a compressed spring makes indefinite.
-Eigen::SparseMatrix<double> stiffnessMatrix(const StaticProblem& problem, const Positions& x, double regular) {
+Eigen::SparseMatrix<double> stiffnessMatrix(const StaticProblem& problem, const Positions& x,
+                                            double regular) {
     std::vector<Eigen::Triplet<double>> entries;
     const auto addBlock = [&](int row, int column, const Eigen::Matrix3d& block) {
         if (problem.pinned[size_t(row)] || problem.pinned[size_t(column)]) return;
@@ -58,7 +60,8 @@ Eigen::SparseMatrix<double> stiffnessMatrix(const StaticProblem& problem, const 
         addBlock(s.nodes[1], s.nodes[0], -k);
     }
     for (int n = 0; n < int(x.size()); ++n)
-        for (int i = 0; i < 3; ++i) entries.emplace_back(3 * n + i, 3 * n + i, problem.pinned[size_t(n)] ? 1.0 : regular);
+        for (int i = 0; i < 3; ++i)
+            entries.emplace_back(3 * n + i, 3 * n + i, problem.pinned[size_t(n)] ? 1.0 : regular);
     Eigen::SparseMatrix<double> matrix(Eigen::Index(3 * x.size()), Eigen::Index(3 * x.size()));
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
@@ -83,10 +86,12 @@ std::vector<Eigen::Vector3d> solveStatic(const StaticProblem& problem, double to
         const Eigen::VectorXd direction = factors.solve(f);
         double by = 1;
         const double before = energy(problem, x);
-        while (by > 1e-10 && energy(problem, moved(x, direction, by)) > before - 1e-4 * by * f.dot(direction)) by /= 2;
+        while (by > 1e-10 && energy(problem, moved(x, direction, by)) > before - 1e-4 * by * f.dot(direction))
+            by /= 2;
         x = moved(x, direction, by);
     }
-    throw std::runtime_error("no static equilibrium found; the largest force left is " + std::to_string(worst) + " N");
+    throw std::runtime_error("no static equilibrium found; the largest force left is " +
+                             std::to_string(worst) + " N");
 }
 
 double meanStrain(const StaticProblem& problem, const std::vector<Eigen::Vector3d>& x) {

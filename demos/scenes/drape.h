@@ -10,8 +10,8 @@
 
 namespace drench::demo {
 
-/// Two sheets of the same cloth, 1.2 m square, fall from just above two balls of 0.3 m radius. The left one is dry, the
-/// right one saturated.
+/// Two sheets of the same cloth, 1.2 m square, fall from just above two balls of 0.3 m radius. The left one
+/// is dry, the right one saturated.
 class Drape final : public Scene {
   public:
     explicit Drape(const SceneOptions& options);

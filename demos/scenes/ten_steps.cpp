@@ -22,8 +22,8 @@ constexpr double restingHeight = 3.6;       // m, of the line between the corner
 constexpr int heldNodes = 3;                // at each corner
 constexpr double notMeasured = std::numeric_limits<double>::quiet_NaN();
 
-// A flat sheet may buckle to either side, and here and there to both, which changes the sag by a centimetre. A breath of
-// wind that fades away while it settles makes it the same side everywhere and in every step.
+// A flat sheet may buckle to either side, and here and there to both, which changes the sag by a centimetre.
+// A breath of wind that fades away while it settles makes it the same side everywhere and in every step.
 constexpr double breath = 2.0;      // m/s
 constexpr double breathTime = 2.0;  // s
 
@@ -40,16 +40,23 @@ constexpr PhasePlan blowing{2.5, 1.0, 0.8};
 constexpr PhasePlan swinging{8.0, 0.0, 0.05};  // at most; ends with the period
 
 /// Water in an inner node at a step, as a share of saturation.
-double shareOfSaturation(int step) { return step == 0 ? 0.0 : (0.010e-3 + 0.083e-3 * step) / saturatedNode; }
-
-/// Node spacing at which an inner node of cotton saturates at 0.840 g in a grid 55 nodes wide.
-double cottonSpacing() { return std::sqrt(saturatedNode / fabrics::cottonPlain().poreCapacity()); }
-
-double mean(const std::vector<double>& values) {
-    return values.empty() ? notMeasured : std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+double shareOfSaturation(int step) {
+    return step == 0 ? 0.0 : (0.010e-3 + 0.083e-3 * step) / saturatedNode;
 }
 
-double degrees(double radians) { return radians * 180 / 3.14159265358979323846; }
+/// Node spacing at which an inner node of cotton saturates at 0.840 g in a grid 55 nodes wide.
+double cottonSpacing() {
+    return std::sqrt(saturatedNode / fabrics::cottonPlain().poreCapacity());
+}
+
+double mean(const std::vector<double>& values) {
+    return values.empty() ? notMeasured
+                          : std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+double degrees(double radians) {
+    return radians * 180 / 3.14159265358979323846;
+}
 
 }  // namespace
 
@@ -86,8 +93,9 @@ class TenSteps::Rig {
     WetCloth& cloth() { return *cloth_; }
     const WetCloth& cloth() const { return *cloth_; }
 
-    /// Substeps a frame with which the links show their stiffness; the wetter the sheet, the fewer it takes. The bound
-    /// is that of the lower corners, whose light nodes need steps shorter by sqrt(2) than the sheet and carry nothing.
+    /// Substeps a frame with which the links show their stiffness; the wetter the sheet, the fewer it takes.
+    /// The bound is that of the lower corners, whose light nodes need steps shorter by sqrt(2) than the sheet
+    /// and carry nothing.
     void chooseSubsteps() {
         substeps_ = std::max(1, int(std::ceil(frameTime / (std::sqrt(2.0) * cloth_->stepBound()))));
     }
@@ -152,7 +160,8 @@ class TenSteps::Rig {
             picture.rods.push_back({{end.x(), 0, end.z()}, {end.x(), end.y() + 0.1f, end.z()}, 0.04f, wood});
         for (int i : {0, heldNodes - 1, nodesWarp_ - heldNodes, nodesWarp_ - 1}) {
             const Eigen::Vector3f peg = toEigen(node(i, 0).m_x);
-            picture.rods.push_back({peg - Eigen::Vector3f(0, 0.05f, 0), peg + Eigen::Vector3f(0, 0.03f, 0), 0.014f, wood});
+            picture.rods.push_back(
+                {peg - Eigen::Vector3f(0, 0.05f, 0), peg + Eigen::Vector3f(0, 0.03f, 0), 0.014f, wood});
         }
     }
 
@@ -166,7 +175,8 @@ class TenSteps::Rig {
     void rumple(unsigned randomSeed) {
         std::mt19937 random(randomSeed);
         std::uniform_real_distribution<float> offset(-1e-5f, 1e-5f);
-        for (int n = 0; n < sheet_->m_nodes.size(); ++n) sheet_->m_nodes[n].m_x.setZ(btScalar(offset(random)));
+        for (int n = 0; n < sheet_->m_nodes.size(); ++n)
+            sheet_->m_nodes[n].m_x.setZ(btScalar(offset(random)));
     }
 
     BulletWorld bullet_;
@@ -189,7 +199,9 @@ class TenSteps::Swing {
     }
 
     /// NaN while it has not passed the middle twice.
-    double period() const { return crossings_.size() < 2 ? notMeasured : 2 * (crossings_[1] - crossings_[0]); }
+    double period() const {
+        return crossings_.size() < 2 ? notMeasured : 2 * (crossings_[1] - crossings_[0]);
+    }
 
   private:
     double before_ = 0;
@@ -206,8 +218,8 @@ TenSteps::TenSteps(const SceneOptions& options)
 TenSteps::~TenSteps() = default;
 
 void TenSteps::beginStep(int step) {
-    results_.push_back({notMeasured, notMeasured, notMeasured, notMeasured, notMeasured, notMeasured, notMeasured,
-                        notMeasured, notMeasured, notMeasured, 0, notMeasured});
+    results_.push_back({notMeasured, notMeasured, notMeasured, notMeasured, notMeasured, notMeasured,
+                        notMeasured, notMeasured, notMeasured, notMeasured, 0, notMeasured});
     rig_ = std::make_unique<Rig>(fabric_, options_.resolution, options_.seed);
     rig_->cloth().soak(shareOfSaturation(step) * fabric_.poreCapacity());
     rig_->chooseSubsteps();
@@ -221,7 +233,9 @@ void TenSteps::beginStep(int step) {
 void TenSteps::beginPhase(Phase phase) {
     phase_ = phase;
     phaseTime_ = 0;
-    const PhasePlan& plan = phase == Phase::settling ? settling : phase == Phase::blowing ? blowing : swinging;
+    const PhasePlan& plan = phase == Phase::settling  ? settling
+                            : phase == Phase::blowing ? blowing
+                                                      : swinging;
     rig_->setDamping(plan.damping);
     if (phase == Phase::swinging) swing_ = std::make_unique<Swing>();
     samples_.clear();
@@ -241,18 +255,27 @@ void TenSteps::advance() {
     totalTime_ += frameTime;
 
     switch (phase_) {
-        case Phase::settling: measureStill(); break;
-        case Phase::blowing: measureWind(); break;
-        case Phase::swinging: measureSwing(); break;
+        case Phase::settling:
+            measureStill();
+            break;
+        case Phase::blowing:
+            measureWind();
+            break;
+        case Phase::swinging:
+            measureSwing();
+            break;
     }
     if (options_.seconds > 0 && totalTime_ >= options_.seconds) done_ = true;
 }
 
 double TenSteps::windNow() const {
     switch (phase_) {
-        case Phase::settling: return breath * std::max(0.0, 1 - phaseTime_ / breathTime);
-        case Phase::blowing: return windSpeed_;
-        case Phase::swinging: return 0;
+        case Phase::settling:
+            return breath * std::max(0.0, 1 - phaseTime_ / breathTime);
+        case Phase::blowing:
+            return windSpeed_;
+        case Phase::swinging:
+            return 0;
     }
     return 0;
 }
@@ -301,7 +324,9 @@ void TenSteps::endStep() {
         beginStep(static_cast<int>(results_.size()));
 }
 
-bool TenSteps::finished() const { return done_; }
+bool TenSteps::finished() const {
+    return done_;
+}
 
 double TenSteps::progress() const {
     if (done_) return 1;
@@ -321,13 +346,14 @@ std::string TenSteps::status() const {
 viewer::Picture TenSteps::picture() const {
     viewer::Picture picture;
     rig_->show(picture);
-    picture.camera.target = {0, 2.05f, 0.45f};
-    picture.camera.distance = 6.6f;
+    picture.camera.target = {0, 2.0f, 0.5f};
+    picture.camera.distance = 5.9f;
     picture.camera.yaw = 0.62f;
     picture.camera.pitch = 0.10f;
     std::ostringstream text;
     text << std::fixed << "step " << results_.size() - 1 << ": " << std::setprecision(3)
-         << 1e3 * rig_->waterOfInnerNode() << " g of water per node, " << std::setprecision(2) << rig_->mass() << " kg";
+         << 1e3 * rig_->waterOfInnerNode() << " g of water per node, " << std::setprecision(2) << rig_->mass()
+         << " kg";
     picture.caption.push_back(text.str());
     return picture;
 }
@@ -339,15 +365,27 @@ std::optional<std::string> TenSteps::moment() const {
     return name.str();
 }
 
-void TenSteps::noteDrawTime(double seconds) { drawing_ = seconds; }
+void TenSteps::noteDrawTime(double seconds) {
+    drawing_ = seconds;
+}
 
-std::vector<SceneSheet> TenSteps::sheets() { return {{fabric_.name, &rig_->cloth()}}; }
+std::vector<SceneSheet> TenSteps::sheets() {
+    return {{fabric_.name, &rig_->cloth()}};
+}
 
 Table TenSteps::table() const {
     Table table;
-    table.columns = {{"step", 0},         {"water_g_per_node", 3}, {"sheet_mass_kg", 4},       {"mass_ratio", 4},
-                     {"sag_m", 4},        {"mean_strain", 5},      {"wind_deflection_deg", 2}, {"swing_period_s", 3},
-                     {"albedo", 4},       {"sim_fps", 1},          {"frame_fps", 1}};
+    table.columns = {{"step", 0},
+                     {"water_g_per_node", 3},
+                     {"sheet_mass_kg", 4},
+                     {"mass_ratio", 4},
+                     {"sag_m", 4},
+                     {"mean_strain", 5},
+                     {"wind_deflection_deg", 2},
+                     {"swing_period_s", 3},
+                     {"albedo", 4},
+                     {"sim_fps", 1},
+                     {"frame_fps", 1}};
     for (std::size_t step = 0; step < results_.size(); ++step) {
         const Result& r = results_[step];
         if (std::isnan(r.sag)) continue;
@@ -364,8 +402,8 @@ void TenSteps::report(std::ostream& out) const {
 
     out << "\nSubsteps per frame of 1/60 s, one sweep each, as many as the stiffness of the links needs:";
     for (std::size_t step = 0; step < all.rows.size(); ++step) out << ' ' << results_[step].substeps;
-    out << "\nWater runs " << waterSpeed << " times as fast as mechanics while it is taken up. Wind " << windSpeed_
-        << " m/s. Fabric: " << fabric_.name << ".\n";
+    out << "\nWater runs " << waterSpeed << " times as fast as mechanics while it is taken up. Wind "
+        << windSpeed_ << " m/s. Fabric: " << fabric_.name << ".\n";
 
     Table comparison;
     comparison.columns = all.columns;
@@ -383,8 +421,8 @@ std::vector<std::string> TenSteps::failures() const {
             if (std::isnan(now)) continue;  // not reached, or nothing to measure
             if (up ? now > before : now < before) continue;
             std::ostringstream text;
-            text << what << " should " << (up ? "grow" : "fall") << " with every step, but goes from " << before << " to "
-                 << now << " at step " << step;
+            text << what << " should " << (up ? "grow" : "fall") << " with every step, but goes from "
+                 << before << " to " << now << " at step " << step;
             list.push_back(text.str());
         }
     };
@@ -402,7 +440,8 @@ std::vector<std::string> TenSteps::failures() const {
                                 cottonSpacing() * cottonSpacing();
         if (options_.resolution == 55 && std::abs(result.waterPerNode - expected) > 1e-3)
             list.push_back("an inner node of step " + std::to_string(step) + " holds " +
-                           std::to_string(result.waterPerNode) + " g instead of " + std::to_string(expected) + " g");
+                           std::to_string(result.waterPerNode) + " g instead of " + std::to_string(expected) +
+                           " g");
     }
     return list;
 }

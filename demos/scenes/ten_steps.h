@@ -9,10 +9,11 @@
 
 namespace drench::demo {
 
-/// A sheet of 55 x 45 nodes hangs by its two upper corners over a ball and the ground. Step 0 is dry; steps n = 1..10 hold
-/// 0.010 + 0.083 n grams of water per inner node of cotton, the last of which is saturation; other fabrics get the
-/// same shares of their own saturation. Each step starts from a flat sheet at rest, takes its water up through the
-/// absorption of its cloth, settles in still air, is measured, then blown at, measured again, and let swing.
+/// A sheet of 55 x 45 nodes hangs by its two upper corners over a ball and the ground. Step 0 is dry; steps n
+/// = 1..10 hold 0.010 + 0.083 n grams of water per inner node of cotton, the last of which is saturation;
+/// other fabrics get the same shares of their own saturation. Each step starts from a flat sheet at rest,
+/// takes its water up through the absorption of its cloth, settles in still air, is measured, then blown at,
+/// measured again, and let swing.
 class TenSteps final : public Scene {
   public:
     explicit TenSteps(const SceneOptions& options);
@@ -68,13 +69,13 @@ class TenSteps final : public Scene {
     std::unique_ptr<Swing> swing_;
     std::vector<Result> results_;  // the last one is of the step under way
     Phase phase_ = Phase::settling;
-    double phaseTime_ = 0;  // s since the phase began
-    std::vector<double> samples_;    // sag or deflection over the end of the phase
+    double phaseTime_ = 0;         // s since the phase began
+    std::vector<double> samples_;  // sag or deflection over the end of the phase
     std::vector<double> strains_;  // mean strain over the same
-    double totalTime_ = 0;  // s simulated since the experiment began
-    double computing_ = 0;  // s of computing in this step
-    int frames_ = 0;        // simulated in this step
-    double drawing_ = 0;    // s that the last picture took; NaN before
+    double totalTime_ = 0;         // s simulated since the experiment began
+    double computing_ = 0;         // s of computing in this step
+    int frames_ = 0;               // simulated in this step
+    double drawing_ = 0;           // s that the last picture took; NaN before
     bool momentNow_ = false;
     bool done_ = false;
 };

@@ -45,20 +45,22 @@ struct Fabric {
     Quantity fibreDensity;  ///< mass of the fibre itself per volume, kg/m3; 700 to 8000; cotton 1520
 
     // Water
-    Quantity regain;            ///< water held in air of 65 % relative humidity, kg/kg; 0 to 0.5; cotton 0.075
-    Quantity boundMaximum;      ///< content up to which water is bound in the fibre and softens it, kg/kg; 0.001 to 1; cotton 0.22
-    Quantity wettingTime;       ///< time constant with which a film goes into the pores, s; 1e-3 to 1e5; cotton 2
-    Quantity contactAngle;      ///< of water on the fibre, degrees; 0 to 179; cotton 41
-    Quantity entryPressure;     ///< capillary pressure at which pores start to empty, Pa; 1 to 1e5; cotton 1200
-    Quantity permeabilityWarp;  ///< of the saturated cloth to water along the warp, m2; 1e-16 to 1e-8; cotton 2e-11
+    Quantity regain;        ///< water held in air of 65 % relative humidity, kg/kg; 0 to 0.5; cotton 0.075
+    Quantity boundMaximum;  ///< content up to which water is bound in the fibre and softens it, kg/kg; 0.001
+                            ///< to 1; cotton 0.22
+    Quantity wettingTime;   ///< time constant with which a film goes into the pores, s; 1e-3 to 1e5; cotton 2
+    Quantity contactAngle;  ///< of water on the fibre, degrees; 0 to 179; cotton 41
+    Quantity entryPressure;  ///< capillary pressure at which pores start to empty, Pa; 1 to 1e5; cotton 1200
+    Quantity permeabilityWarp;  ///< of the saturated cloth to water along the warp, m2; 1e-16 to 1e-8; cotton
+                                ///< 2e-11
     Quantity permeabilityWeft;  ///< the same along the weft
     Quantity poreSizeIndex;     ///< Brooks-Corey exponent L of the pore sizes, 1; 0.2 to 10; cotton 1
 
     // Mechanics, dry
-    Quantity stretchWarp;      ///< tension per width and strain along the warp, N/m; 1 to 1e6; cotton 2000
-    Quantity stretchWeft;      ///< the same along the weft
-    Quantity shear;            ///< shear force per width and angle, N/m; 0.1 to 1e6, below both stretches; cotton 60
-    Quantity bending;          ///< bending rigidity per width B, N m; 1e-9 to 1; cotton 1.16e-5
+    Quantity stretchWarp;  ///< tension per width and strain along the warp, N/m; 1 to 1e6; cotton 2000
+    Quantity stretchWeft;  ///< the same along the weft
+    Quantity shear;    ///< shear force per width and angle, N/m; 0.1 to 1e6, below both stretches; cotton 60
+    Quantity bending;  ///< bending rigidity per width B, N m; 1e-9 to 1; cotton 1.16e-5
     Quantity bendingFriction;  ///< bending moment per width that friction holds, HB, N; 0 to 1; cotton 6e-4
 
     // Mechanics, wet over dry
@@ -73,16 +75,16 @@ struct Fabric {
     Quantity skinFrictionDry;      ///< friction coefficient on skin, dry, 1; 0 to 5; cotton 0.45
     Quantity skinFrictionDamp;     ///< the same at its damp peak; cotton 1.2
     Quantity skinFrictionSoaked;   ///< the same when a film lubricates; cotton 0.9
-    Quantity clingEnergy;          ///< energy to peel wet cloth off a wettable surface, J/m2; 0 to 0.146; cotton 0.13
+    Quantity clingEnergy;  ///< energy to peel wet cloth off a wettable surface, J/m2; 0 to 0.146; cotton 0.13
 
     // Air
-    Quantity airPermeabilityDry;        ///< air speed through the dry cloth at 100 Pa, m/s; 0 to 10; cotton 0.1
+    Quantity airPermeabilityDry;  ///< air speed through the dry cloth at 100 Pa, m/s; 0 to 10; cotton 0.1
     Quantity airPermeabilitySaturated;  ///< the same with full pores, m/s; 0 to the dry value; cotton 0.005
 
     // Looks
-    Quantity albedoRed;       ///< diffuse reflectance of the dry cloth, linear, 1; 0.001 to 0.99; cotton 0.36
-    Quantity albedoGreen;     ///< the same, green; cotton 0.46
-    Quantity albedoBlue;      ///< the same, blue; cotton 0.58
+    Quantity albedoRed;       ///< diffuse reflectance of the dry cloth, linear, 1; 0.001 to 0.99; cotton 0.20
+    Quantity albedoGreen;     ///< the same, green; cotton 0.31
+    Quantity albedoBlue;      ///< the same, blue; cotton 0.46
     Quantity scatteringLoss;  ///< factor q by which scattering falls when wet, 1; 1 to 100; cotton 8
 
     /// A cotton plain weave; see `fabrics::cottonPlain()`.
@@ -124,7 +126,8 @@ Fabric silk();            ///< silk, 70 g/m2
 Fabric nylonTaffeta();    ///< dense nylon taffeta, 70 g/m2
 Fabric denim();           ///< 11 oz cotton denim, 324 g/m2
 
-/// Names that `byName` knows, in the order above: "cotton", "polyester", "wool", "linen", "silk", "nylon", "denim".
+/// Names that `byName` knows, in the order above: "cotton", "polyester", "wool", "linen", "silk", "nylon",
+/// "denim".
 const std::vector<std::string>& names();
 
 /// The preset of that name. @throws std::invalid_argument that lists the names there are.

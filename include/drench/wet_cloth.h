@@ -20,14 +20,14 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Who calls `WetCloth::preSubstep`.
 enum class Stepping {
-    byWorld,       ///< the world, through its pre-tick callback; the application's own callback runs before it
+    byWorld,  ///< the world, through its pre-tick callback; the application's own callback runs before it
     byApplication  ///< the application, at the start of each substep; the world's callback stays untouched
 };
 
 /// Settings of one sheet in one world.
 struct SheetSettings {
-    /// Material coordinates (u along the warp, v along the weft) of each node, m. Empty: the sheet as it lies when
-    /// attached, flattened onto its best plane, with the warp along the body's first link.
+    /// Material coordinates (u along the warp, v along the weft) of each node, m. Empty: the sheet as it lies
+    /// when attached, flattened onto its best plane, with the warp along the body's first link.
     std::vector<Eigen::Vector2d> materialCoordinates;
 
     /// How much faster water runs than mechanics, 1; 0 to 1e5. Default 1.
@@ -39,30 +39,33 @@ struct SheetSettings {
 
 /// The water of one soft body and what it does to it.
 ///
-/// At the start of each of Bullet's substeps: film goes into the pores, then node masses (with the momentum that the
-/// water brought), link stiffness in N/m and air forces are rewritten from the water. What this takes over, and gives
-/// back when it ends: node masses, rest lengths, link constants, the order of the links (hard links in mesh order blow
-/// up, so they come in colours meanwhile), and the aero model (kDG and kLF are 0 meanwhile).
-/// Pins (inverse mass 0) stay pins and may come and go while running. Everything else of the body, its user pointer
-/// and tags, iterations, damping and contacts, stays the application's.
+/// At the start of each of Bullet's substeps: film goes into the pores, then node masses (with the momentum
+/// that the water brought), link stiffness in N/m and air forces are rewritten from the water. What this
+/// takes over, and gives back when it ends: node masses, rest lengths, link constants, the order of the links
+/// (hard links in mesh order blow up, so they come in colours meanwhile), and the aero model (kDG and kLF are
+/// 0 meanwhile). Pins (inverse mass 0) stay pins and may come and go while running. Everything else of the
+/// body, its user pointer and tags, iterations, damping and contacts, stays the application's.
 ///
-/// The stock solver takes stiffness as a compliance in the manner of XPBD (Macklin et al. 2016): for one sweep in a substep
-/// dt and w the sum of a link's inverse masses, m_c0 = max(w, w/2 + 1 / (k dt^2)). Use m_cfg.piterations = 1 and substeps
-/// up to `stepBound`; with longer ones links are too soft, and more sweeps do not make up for it. In single precision
-/// substeps below about 1/2000 s lose gravity to rounding.
+/// The stock solver takes stiffness as a compliance in the manner of XPBD (Macklin et al. 2016): for one
+/// sweep in a substep dt and w the sum of a link's inverse masses, m_c0 = max(w, w/2 + 1 / (k dt^2)). Use
+/// m_cfg.piterations = 1 and substeps up to `stepBound`; with longer ones links are too soft, and more sweeps
+/// do not make up for it. In single precision substeps below about 1/2000 s lose gravity to rounding.
 ///
-/// The layer, the body and the world may end in any order. One layer a body; many bodies a world. Not thread-safe:
-/// use it from the thread that steps the world.
+/// The layer, the body and the world may end in any order. One layer a body; many bodies a world. Not
+/// thread-safe: use it from the thread that steps the world.
 class WetCloth {
   public:
     /// Attaches to a body, in the world or not yet in it.
     /// @param world   that the body is or will be in
-    /// @param sheet   any soft body with faces and links: from `makeSheet`, CreatePatch, CreateFromTriMesh, your own
+    /// @param sheet   any soft body with faces and links: from `makeSheet`, CreatePatch, CreateFromTriMesh,
+    /// your own
     /// @param fabric  its cloth; copied
-    /// @throws std::invalid_argument, with the body as it was, for a fabric or setting out of range; a body without
-    ///         faces or with clusters, tetrahedra, a node or link that is not finite, a link of no length, a triangle of
-    ///         no area, or a WetCloth already; a voxel size or margin larger than the sheet's mean link; a plane shape
-    ///         in the world that the sheet can meet; material coordinates that do not fit the body.
+    /// @throws std::invalid_argument, with the body as it was, for a fabric or setting out of range; a body
+    /// without
+    ///         faces or with clusters, tetrahedra, a node or link that is not finite, a link of no length, a
+    ///         triangle of no area, or a WetCloth already; a voxel size or margin larger than the sheet's
+    ///         mean link; a plane shape in the world that the sheet can meet; material coordinates that do
+    ///         not fit the body.
     WetCloth(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
              const SheetSettings& settings = {});
     ~WetCloth();
@@ -107,15 +110,18 @@ class WetCloth {
     /// Material coordinates of each node, m.
     const std::vector<Eigen::Vector2d>& materialCoordinates() const;
 
-    /// Longest substep at which, with piterations = 1, the stretch and shear links show their stiffness, s: the smallest
-    /// sqrt(2 / (w k)) over them, as they are now. With longer ones they act softer, by about w dt^2 / 2 beside 1 / k.
+    /// Longest substep at which, with piterations = 1, the stretch and shear links show their stiffness, s:
+    /// the smallest sqrt(2 / (w k)) over them, as they are now. With longer ones they act softer, by about w
+    /// dt^2 / 2 beside 1 / k.
     double stepBound() const;
 
-    /// Does the layer's work for a substep of `dt` seconds that is about to begin. Only for `Stepping::byApplication`;
-    /// otherwise the world calls it. Nothing happens while the body is in no world or no longer exists.
-    /// @throws std::invalid_argument for a dt that is not positive and finite; std::runtime_error if a position or
-    ///         velocity of the body, or the wind, is not finite, or if its nodes, links or faces have changed in
-    ///         number. Bullet is then spared the step's changes.
+    /// Does the layer's work for a substep of `dt` seconds that is about to begin. Only for
+    /// `Stepping::byApplication`; otherwise the world calls it. Nothing happens while the body is in no world
+    /// or no longer exists.
+    /// @throws std::invalid_argument for a dt that is not positive and finite; std::runtime_error if a
+    /// position or
+    ///         velocity of the body, or the wind, is not finite, or if its nodes, links or faces have changed
+    ///         in number. Bullet is then spared the step's changes.
     void preSubstep(btScalar dt);
 
   private:

@@ -18,7 +18,9 @@ double speedAfterLeak(double speed, double pressureFactor, double permeability) 
 }
 
 /// Force on a mass that a drag of `resistance` kg/s, frozen for the substep, brings about implicitly.
-double implicitResistance(double resistance, double mass, double dt) { return resistance / (1 + resistance * dt / mass); }
+double implicitResistance(double resistance, double mass, double dt) {
+    return resistance / (1 + resistance * dt / mass);
+}
 
 }  // namespace
 

@@ -40,14 +40,17 @@ class WatchedShape final : public btSoftBodyCollisionShape {
 };
 
 /// btSoftBody hides the setter of its base.
-void setShape(btSoftBody& body, btCollisionShape* shape) { body.btCollisionObject::setCollisionShape(shape); }
+void setShape(btSoftBody& body, btCollisionShape* shape) {
+    body.btCollisionObject::setCollisionShape(shape);
+}
 
 }  // namespace
 
 BodyWatch::BodyWatch(btSoftBody& body) : body_(body), alive_(std::make_shared<bool>(true)) {
     if (body.getCollisionShape()->getName() == watchedShapeName)
         throw std::invalid_argument(
-            "drench: this soft body has a WetCloth already; use that one, or destroy it before making another");
+            "drench: this soft body has a WetCloth already; use that one, or destroy it before making "
+            "another");
     setShape(body, new WatchedShape(body, body.getCollisionShape(), alive_));
 }
 

@@ -10,9 +10,9 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Bullet does not say when a soft body is deleted, but the body owns its collision shape and deletes it. So for as
-/// long as it watches, the body has a collision shape of ours in place of its own, with the same margin and user
-/// data; the body gets its own shape back at the end.
+/// Bullet does not say when a soft body is deleted, but the body owns its collision shape and deletes it. So
+/// for as long as it watches, the body has a collision shape of ours in place of its own, with the same
+/// margin and user data; the body gets its own shape back at the end.
 class BodyWatch {
   public:
     /// @throws std::invalid_argument if the body is being watched already.

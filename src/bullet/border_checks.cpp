@@ -20,7 +20,9 @@ template <typename... Parts>
     throw std::invalid_argument(message.str());
 }
 
-bool isFinite(const btVector3& v) { return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z()); }
+bool isFinite(const btVector3& v) {
+    return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
 
 bool containsPlane(const btCollisionShape& shape) {
     if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) return true;
@@ -62,16 +64,23 @@ double signedArea(const std::vector<Eigen::Vector2d>& coordinates, const std::ar
 
 void checkBody(const btSoftBody& body) {
     if (body.getInternalType() != btCollisionObject::CO_SOFT_BODY)
-        refuse("the body does not look like a btSoftBody; compile the application, Bullet and Drench with the same "
-               "precision (BT_USE_DOUBLE_PRECISION)");
+        refuse(
+            "the body does not look like a btSoftBody; compile the application, Bullet and Drench with the "
+            "same "
+            "precision (BT_USE_DOUBLE_PRECISION)");
     if (body.m_tetras.size() > 0)
-        refuse("the body has ", body.m_tetras.size(), " tetrahedra; a cloth is a surface, give a body of faces and links");
-    if (body.m_faces.size() == 0) refuse("the body has no faces; water needs area, so append the cloth's triangles");
-    if (body.m_links.size() == 0) refuse("the body has no links; append one along each edge of its triangles");
+        refuse("the body has ", body.m_tetras.size(),
+               " tetrahedra; a cloth is a surface, give a body of faces and links");
+    if (body.m_faces.size() == 0)
+        refuse("the body has no faces; water needs area, so append the cloth's triangles");
+    if (body.m_links.size() == 0)
+        refuse("the body has no links; append one along each edge of its triangles");
     using Collision = btSoftBody::fCollision;
-    if (body.m_clusters.size() > 0 || (body.m_cfg.collisions & (Collision::CL_RS | Collision::CL_SS | Collision::CL_SELF)))
+    if (body.m_clusters.size() > 0 ||
+        (body.m_cfg.collisions & (Collision::CL_RS | Collision::CL_SS | Collision::CL_SELF)))
         refuse("the body collides by clusters (", body.m_clusters.size(),
-               " of them), which keep the masses of the dry cloth; use m_cfg.collisions = SDF_RS (and VF_SS) and "
+               " of them), which keep the masses of the dry cloth; use m_cfg.collisions = SDF_RS (and VF_SS) "
+               "and "
                "do not call generateClusters");
     for (int n = 0; n < body.m_nodes.size(); ++n)
         if (!isFinite(body.m_nodes[n].m_x) || !isFinite(body.m_nodes[n].m_v))
@@ -82,7 +91,8 @@ void checkWorld(btSoftRigidDynamicsWorld& world, const btSoftBody& body, const R
     const double link = meanLinkLength(shape);
     const double voxel = double(world.getWorldInfo().m_sparsesdf.voxelsz);
     if (voxel > link)
-        refuse("the world's distance field has voxels of ", voxel, " m, coarser than the sheet's mean link of ", link,
+        refuse("the world's distance field has voxels of ", voxel,
+               " m, coarser than the sheet's mean link of ", link,
                " m; call world.getWorldInfo().m_sparsesdf.setDefaultVoxelsz(", link / 2,
                ") and then m_sparsesdf.Reset()");
     const double margin = double(body.getCollisionShape()->getMargin());
@@ -93,9 +103,10 @@ void checkWorld(btSoftRigidDynamicsWorld& world, const btSoftBody& body, const R
         const btCollisionObject& object = *world.getCollisionObjectArray()[i];
         if (containsPlane(*object.getCollisionShape()) && object.hasContactResponse() &&
             mayMeet(object.getBroadphaseHandle(), body.getBroadphaseHandle()))
-            refuse("collision object ", i,
-                   " is a plane shape, above which Bullet lets soft bodies float by a tenth of a metre; use a "
-                   "btBoxShape for the ground, or filter the pair out");
+            refuse(
+                "collision object ", i,
+                " is a plane shape, above which Bullet lets soft bodies float by a tenth of a metre; use a "
+                "btBoxShape for the ground, or filter the pair out");
     }
 }
 
@@ -104,13 +115,17 @@ void checkShape(const RestShape& shape, const std::vector<Eigen::Vector2d>& mate
         refuse("there are ", materialCoordinates.size(), " material coordinates for ", shape.nodeAreas.size(),
                " nodes; give one (u, v) a node");
     for (std::size_t n = 0; n < materialCoordinates.size(); ++n)
-        if (!materialCoordinates[n].allFinite()) refuse("the material coordinates of node ", n, " are not finite");
+        if (!materialCoordinates[n].allFinite())
+            refuse("the material coordinates of node ", n, " are not finite");
     for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
-        if (!(shape.triangleAreas[t] > 0)) refuse("face ", t, " has no area at rest; remove it from the body");
-        if (std::abs(signedArea(materialCoordinates, shape.triangles[t])) < 0.1 * shape.triangleAreas[t])
-            refuse("face ", t, " has an area of ", shape.triangleAreas[t], " m2 at rest but ",
-                   std::abs(signedArea(materialCoordinates, shape.triangles[t])),
-                   " m2 in material coordinates; for a sheet that is not flat give SheetSettings::materialCoordinates");
+        if (!(shape.triangleAreas[t] > 0))
+            refuse("face ", t, " has no area at rest; remove it from the body");
+        const double materialArea = std::abs(signedArea(materialCoordinates, shape.triangles[t]));
+        if (materialArea < shape.triangleAreas[t] / 3 || materialArea > shape.triangleAreas[t] * 3)
+            refuse("face ", t, " has an area of ", shape.triangleAreas[t], " m2 at rest but ", materialArea,
+                   " m2 in material coordinates; for a sheet that is not flat give "
+                   "SheetSettings::materialCoordinates, in "
+                   "metres");
     }
     for (std::size_t i = 0; i < shape.links.size(); ++i) {
         const auto& nodes = shape.links[i].nodes;

@@ -17,13 +17,13 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// @throws std::invalid_argument
 void checkBody(const btSoftBody& body);
 
-/// Refuses a world in which the body cannot touch things where they are: a distance field or margin coarser than the
-/// mean link, or a plane shape that the body would float above.
+/// Refuses a world in which the body cannot touch things where they are: a distance field or margin coarser
+/// than the mean link, or a plane shape that the body would float above.
 /// @throws std::invalid_argument
 void checkWorld(btSoftRigidDynamicsWorld& world, const btSoftBody& body, const RestShape& shape);
 
-/// Refuses links of no length, and material coordinates that are not one finite pair a node or in which a triangle has
-/// less than a tenth of its area.
+/// Refuses links of no length, and material coordinates that are not one finite pair a node or in which a
+/// triangle has less than a third or more than three times its area.
 /// @throws std::invalid_argument
 void checkShape(const RestShape& shape, const std::vector<Eigen::Vector2d>& materialCoordinates);
 

@@ -20,9 +20,11 @@ void writeLinkConstants(btSoftBody& body, const std::vector<double>& stiffness, 
     for (int i = 0; i < body.m_links.size(); ++i) {
         btSoftBody::Link& link = body.m_links[i];
         const double inverseMass = double(link.m_n[0]->m_im) + double(link.m_n[1]->m_im);
-        link.m_c0 = inverseMass > 0 ? btScalar(std::min(softest, linkConstant(inverseMass, stiffness[static_cast<std::size_t>(i)],
-                                                                             dt, body.m_cfg.piterations)))
-                                    : betweenPins;
+        link.m_c0 =
+            inverseMass > 0
+                ? btScalar(std::min(softest, linkConstant(inverseMass, stiffness[static_cast<std::size_t>(i)],
+                                                          dt, body.m_cfg.piterations)))
+                : betweenPins;
     }
 }
 

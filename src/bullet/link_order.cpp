@@ -31,12 +31,14 @@ void reorderLinks(btSoftBody& body, const std::vector<int>& order) {
     if (std::is_sorted(order.begin(), order.end())) return;
     btSoftBody::tLinkArray before;
     before.copyFromArray(body.m_links);
-    for (int i = 0; i < body.m_links.size(); ++i) body.m_links[i] = before[order[static_cast<std::size_t>(i)]];
+    for (int i = 0; i < body.m_links.size(); ++i)
+        body.m_links[i] = before[order[static_cast<std::size_t>(i)]];
 }
 
 std::vector<int> inverseOrder(const std::vector<int>& order) {
     std::vector<int> inverse(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) inverse[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+    for (std::size_t i = 0; i < order.size(); ++i)
+        inverse[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
     return inverse;
 }
 

@@ -11,10 +11,11 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// An order in which links come in colours: no two links of a colour share a node. In mesh order each link would
-/// hand on what the one before it did, and hard links blow up.
+/// An order in which links come in colours: no two links of a colour share a node. In mesh order each link
+/// would hand on what the one before it did, and hard links blow up.
 /// @param links  the two nodes of each link
-/// @return for each place in the order, the index of the link that goes there; links that come in colours already
+/// @return for each place in the order, the index of the link that goes there; links that come in colours
+/// already
 ///         keep their places
 std::vector<int> colouredOrder(const std::vector<std::array<int, 2>>& links, int nodes);
 

@@ -12,12 +12,13 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Water that has reached a node since the last substep.
 struct Arrival {
-    double mass = 0;                      // kg
+    double mass = 0;                          // kg
     btVector3 momentum = btVector3(0, 0, 0);  // kg m/s
 };
 
-/// Lets each free node take up the momentum of the water that arrived: v <- (m v + dm u) / (m + dm). Water that leaves
-/// takes its own momentum along, so a node that only loses mass keeps its velocity. Empties `arrivals`.
+/// Lets each free node take up the momentum of the water that arrived: v <- (m v + dm u) / (m + dm). Water
+/// that leaves takes its own momentum along, so a node that only loses mass keeps its velocity. Empties
+/// `arrivals`.
 /// @param masses  of the nodes before the water came, kg
 void takeUpMomentum(btSoftBody& body, const std::vector<double>& masses, std::vector<Arrival>& arrivals);
 

@@ -12,7 +12,9 @@ namespace {
 
 /// Bullet sets the pre-tick callback but has no way to ask for it; a derived class may look.
 struct PreTickSlot : btDynamicsWorld {
-    static btInternalTickCallback of(btDynamicsWorld& world) { return world.*(&PreTickSlot::m_internalPreTickCallback); }
+    static btInternalTickCallback of(btDynamicsWorld& world) {
+        return world.*(&PreTickSlot::m_internalPreTickCallback);
+    }
 };
 
 void fillSlot(btDynamicsWorld& world, btInternalTickCallback callback) {
@@ -25,8 +27,8 @@ struct Chain {
     std::vector<PreTickListener*> listeners;
 };
 
-/// A tick callback is told its world and nothing else, and the world's user info belongs to the application: this
-/// table is the only way from one to the other. It holds no settings and no state of a simulation.
+/// A tick callback is told its world and nothing else, and the world's user info belongs to the application:
+/// this table is the only way from one to the other. It holds no settings and no state of a simulation.
 class ChainTable {
   public:
     static ChainTable& instance() {

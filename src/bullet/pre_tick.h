@@ -17,12 +17,12 @@ class PreTickListener {
     ~PreTickListener() = default;
 };
 
-/// Calls `listener` at the start of each substep of `world`, after the application's own pre-tick callback, if it
-/// has one, and after listeners that came earlier. The world's user info stays as it is.
+/// Calls `listener` at the start of each substep of `world`, after the application's own pre-tick callback,
+/// if it has one, and after listeners that came earlier. The world's user info stays as it is.
 void listenToPreTick(btDynamicsWorld& world, PreTickListener& listener);
 
-/// Ends that. With `worldIsAlive` the world is given back its own callback once its last listener leaves; without,
-/// the world is not touched, and should it still step, only the application's callback runs.
+/// Ends that. With `worldIsAlive` the world is given back its own callback once its last listener leaves;
+/// without, the world is not touched, and should it still step, only the application's callback runs.
 void stopListeningToPreTick(btDynamicsWorld& world, PreTickListener& listener, bool worldIsAlive);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

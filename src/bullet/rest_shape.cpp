@@ -18,7 +18,9 @@ double currentArea(const btSoftBody::Face& face) {
     return 0.5 * double((face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin).length());
 }
 
-Eigen::Vector3d toEigen(const btVector3& v) { return {double(v.x()), double(v.y()), double(v.z())}; }
+Eigen::Vector3d toEigen(const btVector3& v) {
+    return {double(v.x()), double(v.y()), double(v.z())};
+}
 
 }  // namespace
 
@@ -57,7 +59,8 @@ RestShape restShapeOf(const btSoftBody& body) {
     }
     for (int i = 0; i < body.m_links.size(); ++i) {
         const btSoftBody::Link& link = body.m_links[i];
-        shape.links.push_back({{indexOf(body, link.m_n[0]), indexOf(body, link.m_n[1])}, link.m_bbending != 0});
+        shape.links.push_back(
+            {{indexOf(body, link.m_n[0]), indexOf(body, link.m_n[1])}, link.m_bbending != 0});
         shape.restLengths.push_back(waiting ? (link.m_n[1]->m_x - link.m_n[0]->m_x).length()
                                             : link.m_rl / body.m_restLengthScale);
     }

@@ -26,15 +26,17 @@ inline int indexOf(const btSoftBody& body, const btSoftBody::Node* node) {
     return static_cast<int>(node - &body.m_nodes[0]);
 }
 
-/// What Bullet does at the first step of a body that waits to be primed, now: rest lengths, link constants and areas from
-/// the shape as it is, and the face tree if soft-soft contacts need one. Does nothing for any other body.
+/// What Bullet does at the first step of a body that waits to be primed, now: rest lengths, link constants
+/// and areas from the shape as it is, and the face tree if soft-soft contacts need one. Does nothing for any
+/// other body.
 void prime(btSoftBody& body);
 
-/// Makes Bullet forget a request to prime the body again, which setMass leaves behind and which would take the
-/// stretched links of the moment for rest.
+/// Makes Bullet forget a request to prime the body again, which setMass leaves behind and which would take
+/// the stretched links of the moment for rest.
 void keepRestLengths(btSoftBody& body, const RestShape& shape);
 
-/// Read from what Bullet keeps, or, for a body that still waits to be primed, from where its nodes are. Changes nothing.
+/// Read from what Bullet keeps, or, for a body that still waits to be primed, from where its nodes are.
+/// Changes nothing.
 RestShape restShapeOf(const btSoftBody& body);
 
 /// The nodes flattened onto the sheet's best plane, u along its first link.

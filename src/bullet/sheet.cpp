@@ -32,8 +32,8 @@ void check(const Fabric& fabric, const Corners& corners, const Grid& grid) {
     validate(fabric);
     for (const int count : {grid.nodesWarp, grid.nodesWeft})
         if (count < 2 || count > 10000)
-            throw std::invalid_argument("drench: makeSheet was asked for " + std::to_string(grid.nodesWarp) + " x " +
-                                        std::to_string(grid.nodesWeft) +
+            throw std::invalid_argument("drench: makeSheet was asked for " + std::to_string(grid.nodesWarp) +
+                                        " x " + std::to_string(grid.nodesWeft) +
                                         " nodes; give 2 to 10000 in each direction");
     for (const btVector3* corner : {&corners.origin, &corners.warpEnd, &corners.weftEnd, &corners.opposite})
         for (int axis = 0; axis < 3; ++axis)
@@ -43,7 +43,8 @@ void check(const Fabric& fabric, const Corners& corners, const Grid& grid) {
     const btVector3 warp = corners.warpEnd - corners.origin, weft = corners.weftEnd - corners.origin;
     if (warp.cross(weft).length() <= btScalar(1e-9))
         throw std::invalid_argument(
-            "drench: makeSheet was given corners that enclose no area; warpEnd and weftEnd must lie in different "
+            "drench: makeSheet was given corners that enclose no area; warpEnd and weftEnd must lie in "
+            "different "
             "directions from origin");
 }
 
@@ -59,7 +60,8 @@ std::vector<btVector3> positionsOf(const Corners& c, const Grid& grid) {
     return positions;
 }
 
-/// All cells are cut along the same diagonal, so that every inner node has six triangles and the area of one cell.
+/// All cells are cut along the same diagonal, so that every inner node has six triangles and the area of one
+/// cell.
 void appendFaces(btSoftBody& body, const Grid& grid) {
     for (int j = 0; j + 1 < grid.nodesWeft; ++j)
         for (int i = 0; i + 1 < grid.nodesWarp; ++i) {
@@ -81,7 +83,8 @@ std::vector<PlannedLink> planLinks(const Grid& grid) {
         int di, dj;
         bool bending;
     };
-    constexpr Step steps[] = {{1, 0, false}, {0, 1, false}, {1, 1, false}, {-1, 1, false}, {2, 0, true}, {0, 2, true}};
+    constexpr Step steps[] = {{1, 0, false},  {0, 1, false}, {1, 1, false},
+                              {-1, 1, false}, {2, 0, true},  {0, 2, true}};
     for (const Step& step : steps)
         for (int j = 0; j < grid.nodesWeft; ++j)
             for (int i = 0; i < grid.nodesWarp; ++i) add(i, j, step.di, step.dj, step.bending);
@@ -123,8 +126,8 @@ Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const bt
     return {origin, origin + warpSide, origin + weftSide, origin + warpSide + weftSide};
 }
 
-std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric, const Corners& corners,
-                                      int nodesWarp, int nodesWeft) {
+std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
+                                      const Corners& corners, int nodesWarp, int nodesWeft) {
     const Grid grid{nodesWarp, nodesWeft};
     check(fabric, corners, grid);
 

@@ -79,8 +79,8 @@ RestShape checkedShape(btSoftRigidDynamicsWorld& world, const btSoftBody& body) 
     return shape;
 }
 
-std::vector<Eigen::Vector2d> checkedCoordinates(const std::vector<Eigen::Vector2d>& given, const btSoftBody& body,
-                                                const RestShape& shape) {
+std::vector<Eigen::Vector2d> checkedCoordinates(const std::vector<Eigen::Vector2d>& given,
+                                                const btSoftBody& body, const RestShape& shape) {
     const std::vector<Eigen::Vector2d> coordinates = given.empty() ? flattened(body) : given;
     checkShape(shape, coordinates);
     return coordinates;
@@ -91,7 +91,8 @@ std::vector<Eigen::Vector2d> checkedCoordinates(const std::vector<Eigen::Vector2
 /// Everything behind a WetCloth, in the order of the step.
 class WetCloth::Layer final : public PreTickListener {
   public:
-    Layer(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric, const SheetSettings& settings);
+    Layer(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
+          const SheetSettings& settings);
     ~Layer();
     Layer(const Layer&) = delete;
     Layer& operator=(const Layer&) = delete;
@@ -153,7 +154,8 @@ WetCloth::Layer::Layer(btSoftRigidDynamicsWorld& aWorld, btSoftBody& sheet, cons
 }
 
 WetCloth::Layer::~Layer() {
-    // A body in a world proves that the world still exists: a world that ends puts out the handles of its bodies.
+    // A body in a world proves that the world still exists: a world that ends puts out the handles of its
+    // bodies.
     if (stepping == Stepping::byWorld) stopListeningToPreTick(world, *this, bodyIsInWorld());
     if (watch.bodyIsAlive()) giveBack(body, taken);
 }
@@ -162,7 +164,8 @@ void WetCloth::Layer::addWater(int node, double mass, const btVector3& velocity)
     if (!std::isfinite(velocity.x()) || !std::isfinite(velocity.y()) || !std::isfinite(velocity.z()))
         throw std::invalid_argument("drench: water for node " + std::to_string(node) +
                                     " arrives with a velocity that is not finite; give m/s");
-    const auto n = static_cast<std::size_t>(node);  // a negative node becomes too large, which addFilm refuses
+    const auto n =
+        static_cast<std::size_t>(node);  // a negative node becomes too large, which addFilm refuses
     moisture.addFilm(n, mass);
     arrivals[n].mass += mass;
     arrivals[n].momentum += velocity * btScalar(mass);
@@ -171,8 +174,10 @@ void WetCloth::Layer::addWater(int node, double mass, const btVector3& velocity)
 
 void WetCloth::Layer::checkBeforeStep(btScalar dt) const {
     if (!(dt > 0) || !std::isfinite(dt))
-        throw std::invalid_argument("drench: a substep of " + std::to_string(dt) + " s; give a positive finite time");
-    if (!air.wind.allFinite()) throw std::runtime_error("drench: the wind is not finite; mend WetCloth::air().wind");
+        throw std::invalid_argument("drench: a substep of " + std::to_string(dt) +
+                                    " s; give a positive finite time");
+    if (!air.wind.allFinite())
+        throw std::runtime_error("drench: the wind is not finite; mend WetCloth::air().wind");
     if (body.m_nodes.size() != static_cast<int>(masses.size()) ||
         body.m_links.size() != static_cast<int>(stiffness.size()) ||
         body.m_faces.size() != static_cast<int>(shape.triangles.size()))
@@ -182,9 +187,10 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) const {
     for (int n = 0; n < body.m_nodes.size(); ++n) {
         const btVector3 sum = body.m_nodes[n].m_x + body.m_nodes[n].m_v;
         if (!std::isfinite(sum.x() + sum.y() + sum.z()))
-            throw std::runtime_error("drench: node " + std::to_string(n) +
-                                     " has a position or velocity that is not finite; a force or an obstacle of the "
-                                     "application has blown the sheet up before this substep");
+            throw std::runtime_error(
+                "drench: node " + std::to_string(n) +
+                " has a position or velocity that is not finite; a force or an obstacle of the "
+                "application has blown the sheet up before this substep");
     }
 }
 
@@ -225,10 +231,16 @@ WetCloth::WetCloth(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fab
 
 WetCloth::~WetCloth() = default;
 
-Air& WetCloth::air() { return layer_->air; }
-const Air& WetCloth::air() const { return layer_->air; }
+Air& WetCloth::air() {
+    return layer_->air;
+}
+const Air& WetCloth::air() const {
+    return layer_->air;
+}
 
-void WetCloth::addWater(int node, double mass, const btVector3& velocity) { layer_->addWater(node, mass, velocity); }
+void WetCloth::addWater(int node, double mass, const btVector3& velocity) {
+    layer_->addWater(node, mass, velocity);
+}
 
 void WetCloth::addWater(int node, double mass) {
     const bool known = layer_->watch.bodyIsAlive() && node >= 0 && node < layer_->body.m_nodes.size();
@@ -237,10 +249,13 @@ void WetCloth::addWater(int node, double mass) {
 
 void WetCloth::soak(double massPerArea) {
     for (std::size_t n = 0; n < layer_->masses.size(); ++n)
-        if (layer_->shape.nodeAreas[n] > 0) addWater(static_cast<int>(n), massPerArea * layer_->shape.nodeAreas[n]);
+        if (layer_->shape.nodeAreas[n] > 0)
+            addWater(static_cast<int>(n), massPerArea * layer_->shape.nodeAreas[n]);
 }
 
-double WetCloth::waterMass() const { return layer_->moisture.totalPoreMass() + layer_->moisture.totalFilmMass(); }
+double WetCloth::waterMass() const {
+    return layer_->moisture.totalPoreMass() + layer_->moisture.totalFilmMass();
+}
 
 double WetCloth::dryMass() const {
     double mass = 0;
@@ -254,17 +269,29 @@ double WetCloth::nodeMass(int node) const {
     return layer_->laws.mass(water.area(n), water.poreMass()[n] + water.filmMass()[n]);
 }
 
-double WetCloth::saturation(int node) const { return layer_->moisture.saturation(static_cast<std::size_t>(node)); }
-double WetCloth::content(int node) const { return layer_->moisture.content(static_cast<std::size_t>(node)); }
-Colour WetCloth::albedo(int node) const { return layer_->laws.albedo(saturation(node)); }
+double WetCloth::saturation(int node) const {
+    return layer_->moisture.saturation(static_cast<std::size_t>(node));
+}
+double WetCloth::content(int node) const {
+    return layer_->moisture.content(static_cast<std::size_t>(node));
+}
+Colour WetCloth::albedo(int node) const {
+    return layer_->laws.albedo(saturation(node));
+}
 
 double WetCloth::gloss(int node) const {
     return WetLaws::gloss(layer_->moisture.filmThickness(static_cast<std::size_t>(node)));
 }
 
-const Moisture& WetCloth::moisture() const { return layer_->moisture; }
-Ledger WetCloth::ledger() const { return layer_->moisture.ledger(); }
-const std::vector<Eigen::Vector2d>& WetCloth::materialCoordinates() const { return layer_->coordinates; }
+const Moisture& WetCloth::moisture() const {
+    return layer_->moisture;
+}
+Ledger WetCloth::ledger() const {
+    return layer_->moisture.ledger();
+}
+const std::vector<Eigen::Vector2d>& WetCloth::materialCoordinates() const {
+    return layer_->coordinates;
+}
 
 double WetCloth::stepBound() const {
     double bound = std::numeric_limits<double>::infinity();
@@ -280,7 +307,8 @@ double WetCloth::stepBound() const {
 void WetCloth::preSubstep(btScalar dt) {
     if (layer_->stepping == Stepping::byWorld)
         throw std::logic_error(
-            "drench: preSubstep is the application's to call only with Stepping::byApplication; this WetCloth is "
+            "drench: preSubstep is the application's to call only with Stepping::byApplication; this "
+            "WetCloth is "
             "stepped by its world");
     layer_->substep(dt);
 }

@@ -10,17 +10,25 @@ namespace drench {
 
 std::string_view toString(Provenance provenance) {
     switch (provenance) {
-        case Provenance::measured: return "measured";
-        case Provenance::textbook: return "textbook";
-        case Provenance::assumed: return "assumed";
-        case Provenance::given: return "given";
+        case Provenance::measured:
+            return "measured";
+        case Provenance::textbook:
+            return "textbook";
+        case Provenance::assumed:
+            return "assumed";
+        case Provenance::given:
+            return "given";
     }
     return "unknown";
 }
 
-double Fabric::porosity() const { return 1.0 - arealDensity / (fibreDensity * thickness); }
+double Fabric::porosity() const {
+    return 1.0 - arealDensity / (fibreDensity * thickness);
+}
 
-double Fabric::poreCapacity() const { return waterDensity * porosity() * thickness; }
+double Fabric::poreCapacity() const {
+    return waterDensity * porosity() * thickness;
+}
 
 const std::vector<FabricParameter>& fabricParameters() {
     static const std::vector<FabricParameter> parameters = {
@@ -87,10 +95,11 @@ void validate(const Fabric& fabric) {
 
     const double porosity = fabric.porosity();
     if (porosity <= 0.01 || porosity >= 0.999)
-        refuse(fabric, "arealDensity " + text(fabric.arealDensity) + " kg/m2, thickness " +
-                           text(fabric.thickness) + " m and fibreDensity " + text(fabric.fibreDensity) +
-                           " kg/m3 leave a porosity of " + text(porosity) +
-                           "; it must lie between 0.01 and 0.999, so mend the thickness or the areal density");
+        refuse(fabric,
+               "arealDensity " + text(fabric.arealDensity) + " kg/m2, thickness " + text(fabric.thickness) +
+                   " m and fibreDensity " + text(fabric.fibreDensity) + " kg/m3 leave a porosity of " +
+                   text(porosity) +
+                   "; it must lie between 0.01 and 0.999, so mend the thickness or the areal density");
     if (fabric.shear >= fabric.stretchWarp || fabric.shear >= fabric.stretchWeft)
         refuse(fabric, "shear is " + text(fabric.shear) +
                            " N/m; it must be smaller than stretchWarp and stretchWeft, which contain it");

@@ -15,9 +15,15 @@ namespace drench {
 
 namespace {
 
-Quantity measured(double value, const char* source) { return {value, Provenance::measured, source}; }
-Quantity assumed(double value, const char* source = "") { return {value, Provenance::assumed, source}; }
-Quantity textbook(double value, const char* source) { return {value, Provenance::textbook, source}; }
+Quantity measured(double value, const char* source) {
+    return {value, Provenance::measured, source};
+}
+Quantity assumed(double value, const char* source = "") {
+    return {value, Provenance::assumed, source};
+}
+Quantity textbook(double value, const char* source) {
+    return {value, Provenance::textbook, source};
+}
 
 constexpr const char* mortonHearle = "Morton & Hearle 2008";
 constexpr const char* penava = "Penava 2014";
@@ -37,7 +43,8 @@ void setWicking(Fabric& fabric, double contactAngle, double productRelativeToCot
     const double pressureRatio = std::cos(contactAngle * degree) / std::cos(cottonAngle * degree);
     const double permeability = cottonPermeability * productRelativeToCotton / pressureRatio;
     fabric.contactAngle = assumed(contactAngle);
-    fabric.entryPressure = textbook(cottonPressure * pressureRatio, "Young-Laplace, from an assumed 1200 Pa for cotton");
+    fabric.entryPressure =
+        textbook(cottonPressure * pressureRatio, "Young-Laplace, from an assumed 1200 Pa for cotton");
     fabric.permeabilityWarp = assumed(permeability, "chosen together with the entry pressure");
     fabric.permeabilityWeft = fabric.permeabilityWarp;
     fabric.poreSizeIndex = assumed(1, "diffusivity ~ s^3, the measured kind");
@@ -84,13 +91,15 @@ Fabric::Fabric() {
     clingEnergy = assumed(0.13, "below the textbook bound of 0.146 J/m2");
     airPermeabilityDry = assumed(0.100);
     airPermeabilitySaturated = assumed(0.005);
-    setAlbedo(*this, 0.36, 0.46, 0.58);
+    setAlbedo(*this, 0.20, 0.31, 0.46);
     scatteringLoss = textbook(8, fresnel);
 }
 
 namespace fabrics {
 
-Fabric cottonPlain() { return Fabric(); }
+Fabric cottonPlain() {
+    return Fabric();
+}
 
 Fabric polyesterPlain() {
     Fabric fabric;
@@ -261,9 +270,9 @@ struct Preset {
     Fabric (*make)();
 };
 
-constexpr Preset presets[] = {{"cotton", cottonPlain}, {"polyester", polyesterPlain}, {"wool", wool},
-                              {"linen", linen},        {"silk", silk},                {"nylon", nylonTaffeta},
-                              {"denim", denim}};
+constexpr Preset presets[] = {
+    {"cotton", cottonPlain}, {"polyester", polyesterPlain}, {"wool", wool},  {"linen", linen},
+    {"silk", silk},          {"nylon", nylonTaffeta},       {"denim", denim}};
 
 }  // namespace
 

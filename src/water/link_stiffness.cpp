@@ -12,7 +12,9 @@ namespace {
 
 using NodePair = std::pair<int, int>;
 
-NodePair pairOf(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+NodePair pairOf(int a, int b) {
+    return {std::min(a, b), std::max(a, b)};
+}
 
 /// The one or two triangles at an edge.
 struct EdgeTriangles {
@@ -66,16 +68,21 @@ double directionalStiffness(const Fabric& fabric, const Eigen::Vector2d& along) 
 
 }  // namespace
 
-std::vector<LinkStiffness> linkStiffness(const Fabric& fabric, const std::vector<Eigen::Vector2d>& coordinates,
+std::vector<LinkStiffness> linkStiffness(const Fabric& fabric,
+                                         const std::vector<Eigen::Vector2d>& coordinates,
                                          const std::vector<std::array<int, 3>>& triangles,
                                          const std::vector<LinkNodes>& links) {
     const auto edges = edgesOf(coordinates, triangles);
-    const auto at = [&](int node) -> const Eigen::Vector2d& { return coordinates[static_cast<std::size_t>(node)]; };
+    const auto at = [&](int node) -> const Eigen::Vector2d& {
+        return coordinates[static_cast<std::size_t>(node)];
+    };
 
-    // Where a link joins the far corners of two neighbouring triangles: the edge between them that it crosses.
+    // Where a link joins the far corners of two neighbouring triangles: the edge between them that it
+    // crosses.
     std::map<NodePair, NodePair> crossedEdges;
     for (const auto& [edge, beside] : edges)
-        if (beside.opposites.size() == 2 && cross(at(edge.first), at(edge.second), at(beside.opposites[0]), at(beside.opposites[1])))
+        if (beside.opposites.size() == 2 &&
+            cross(at(edge.first), at(edge.second), at(beside.opposites[0]), at(beside.opposites[1])))
             crossedEdges.emplace(pairOf(beside.opposites[0], beside.opposites[1]), edge);
 
     // Area that stands behind each link; 0 where it follows no triangle.

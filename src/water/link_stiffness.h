@@ -28,16 +28,18 @@ struct LinkStiffness {
 ///
 /// A link along an edge of the triangles, or across one like the second diagonal of a cell, gets
 /// Y(direction) x area of its triangles / length^2 (Van Gelder 1998), with
-/// Y = cos^2(2 phi) ((c11 - G) cos^2 phi + (c22 - G) sin^2 phi) + 4 G sin^2(2 phi), phi the angle to the warp, c11 and c22
-/// the stretches and G the shear. Links that cross each other share, half each. On a grid with crossed
-/// diagonals this is c11 - G and c22 - G along the grid (half on the border) and G for each diagonal.
+/// Y = cos^2(2 phi) ((c11 - G) cos^2 phi + (c22 - G) sin^2 phi) + 4 G sin^2(2 phi), phi the angle to the
+/// warp, c11 and c22 the stretches and G the shear. Links that cross each other share, half each. On a grid
+/// with crossed diagonals this is c11 - G and c22 - G along the grid (half on the border) and G for each
+/// diagonal.
 ///
 /// Every other link, and those marked as bending, gets 36 B / length^2: as a chord over two cells it then
 /// stores the energy of a bend of one radian a cell (assumed; a chord has no stiffness at small angles).
 ///
 /// @param coordinates  material coordinates (u, v) of each node, m
 /// @param triangles    node indices of each triangle
-std::vector<LinkStiffness> linkStiffness(const Fabric& fabric, const std::vector<Eigen::Vector2d>& coordinates,
+std::vector<LinkStiffness> linkStiffness(const Fabric& fabric,
+                                         const std::vector<Eigen::Vector2d>& coordinates,
                                          const std::vector<std::array<int, 3>>& triangles,
                                          const std::vector<LinkNodes>& links);
 

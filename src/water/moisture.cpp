@@ -67,9 +67,13 @@ double Moisture::filmThickness(std::size_t node) const {
     return areas_[node] > 0 ? filmMass_[node] / (2 * waterDensity * areas_[node]) : 0.0;
 }
 
-double Moisture::totalPoreMass() const { return std::accumulate(poreMass_.begin(), poreMass_.end(), 0.0); }
+double Moisture::totalPoreMass() const {
+    return std::accumulate(poreMass_.begin(), poreMass_.end(), 0.0);
+}
 
-double Moisture::totalFilmMass() const { return std::accumulate(filmMass_.begin(), filmMass_.end(), 0.0); }
+double Moisture::totalFilmMass() const {
+    return std::accumulate(filmMass_.begin(), filmMass_.end(), 0.0);
+}
 
 Ledger Moisture::ledger() const {
     Ledger ledger;

@@ -17,9 +17,13 @@ double wetAlbedo(double dry) {
     return dry / (indexSquared * (1 - dry) + dry);
 }
 
-double absorptionOverScattering(double albedo) { return (1 - albedo) * (1 - albedo) / (2 * albedo); }
+double absorptionOverScattering(double albedo) {
+    return (1 - albedo) * (1 - albedo) / (2 * albedo);
+}
 
-double albedoOf(double ratio) { return 1 + ratio - std::sqrt(ratio * (ratio + 2)); }
+double albedoOf(double ratio) {
+    return 1 + ratio - std::sqrt(ratio * (ratio + 2));
+}
 
 double darkeningProgress(double saturation) {
     constexpr double knee = 0.6, progressAtKnee = 0.9;
@@ -46,7 +50,9 @@ WetLaws::WetLaws(const Fabric& fabric)
     }
 }
 
-double WetLaws::softening(double content) const { return std::clamp(content / boundMaximum_, 0.0, 1.0); }
+double WetLaws::softening(double content) const {
+    return std::clamp(content / boundMaximum_, 0.0, 1.0);
+}
 
 AirDrag WetLaws::drag(double saturation) const {
     const double s = std::clamp(saturation, 0.0, 1.0);
@@ -57,8 +63,8 @@ Colour WetLaws::albedo(double saturation) const {
     const double progress = darkeningProgress(saturation);
     Colour colour;
     for (std::size_t channel = 0; channel < colour.size(); ++channel)
-        colour[channel] =
-            albedoOf(absorptionDry_[channel] + (absorptionWet_[channel] - absorptionDry_[channel]) * progress);
+        colour[channel] = albedoOf(absorptionDry_[channel] +
+                                   (absorptionWet_[channel] - absorptionDry_[channel]) * progress);
     return colour;
 }
 

@@ -1,0 +1,158 @@
+// Callbacks that belong to the application, and every order in which layer, body and world may end.
+#include <gtest/gtest.h>
+
+#include "worlds.h"
+
+namespace drench {
+namespace {
+
+struct Application {
+    int calls = 0;
+    btDynamicsWorld* world = nullptr;
+    btScalar dt = 0;
+};
+
+void applicationCallback(btDynamicsWorld* world, btScalar dt) {
+    auto* application = static_cast<Application*>(world->getWorldUserInfo());
+    ++application->calls;
+    application->world = world;
+    application->dt = dt;
+}
+
+constexpr bool preTick = true;
+
+TEST(PreTick, TheApplicationsCallbackAndUserInfoGoOnWorking) {
+    test::SheetWorld rig(test::smallSheet);
+    Application application;
+    rig.world().setInternalTickCallback(applicationCallback, &application, preTick);
+    {
+        WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+        cloth.soak(0.1);
+        rig.bullet().step(0.1, 10);
+        EXPECT_EQ(application.calls, 10);
+        EXPECT_EQ(application.world, &rig.world());
+        EXPECT_NEAR(application.dt, 0.01, 1e-6);
+        EXPECT_EQ(rig.world().getWorldUserInfo(), &application);
+        EXPECT_GT(cloth.moisture().totalPoreMass(), 0.0);
+    }
+    rig.bullet().step(0.1, 10);
+    EXPECT_EQ(application.calls, 20);
+    EXPECT_EQ(rig.world().getWorldUserInfo(), &application);
+}
+
+TEST(PreTick, ACallbackThatTheApplicationSetsLaterIsTakenUpByTheNextLayer) {
+    test::SheetWorld rig(test::smallSheet);
+    const auto second = test::smallSheet(rig.world().getWorldInfo());
+    rig.world().addSoftBody(second.get());
+    Application application;
+    {
+        WetCloth first(rig.world(), rig.sheet(), fabrics::cottonPlain());
+        rig.world().setInternalTickCallback(applicationCallback, &application, preTick);
+        WetCloth later(rig.world(), *second, fabrics::cottonPlain());
+        first.soak(0.1);
+        later.soak(0.1);
+        rig.bullet().step(0.1, 10);
+        EXPECT_EQ(application.calls, 10);
+        EXPECT_GT(first.moisture().totalPoreMass(), 0.0);
+        EXPECT_GT(later.moisture().totalPoreMass(), 0.0);
+    }
+    rig.bullet().step(0.1, 10);
+    EXPECT_EQ(application.calls, 20);
+    rig.world().removeSoftBody(second.get());
+}
+
+/// The three things whose order of ending is free. Each ends once.
+struct Ending {
+    std::unique_ptr<demo::BulletWorld> world = std::make_unique<demo::BulletWorld>();
+    std::unique_ptr<btSoftBody> body = test::smallSheet(world->world().getWorldInfo());
+    std::unique_ptr<WetCloth> cloth;
+
+    Ending() {
+        world->world().addSoftBody(body.get());
+        cloth = std::make_unique<WetCloth>(world->world(), *body, fabrics::cottonPlain());
+        cloth->soak(0.1);
+        world->step(0.05, 10);
+    }
+    void removeBody() { world->world().removeSoftBody(body.get()); }
+};
+
+TEST(Lifetime, ClothThenBodyThenWorld) {
+    Ending end;
+    end.cloth.reset();
+    end.world->step(0.05, 5);
+    end.removeBody();
+    end.body.reset();
+    end.world.reset();
+}
+
+TEST(Lifetime, ClothThenWorldThenBody) {
+    Ending end;
+    end.cloth.reset();
+    end.world.reset();
+    end.body.reset();
+}
+
+TEST(Lifetime, BodyThenClothThenWorld) {
+    Ending end;
+    end.removeBody();
+    end.body.reset();
+    end.world->step(0.05, 5);  // the layer has nothing to do, and knows it
+    EXPECT_NEAR(end.cloth->waterMass(), 0.025, 1e-8);
+    EXPECT_THROW(end.cloth->addWater(0, -1), std::invalid_argument);
+    end.cloth->addWater(0, 1e-4);
+    end.cloth.reset();
+    end.world->step(0.05, 5);
+    end.world.reset();
+}
+
+TEST(Lifetime, BodyThenWorldThenCloth) {
+    Ending end;
+    end.removeBody();
+    end.body.reset();
+    end.world.reset();
+    EXPECT_NEAR(end.cloth->waterMass(), 0.025, 1e-8);
+    end.cloth.reset();
+}
+
+TEST(Lifetime, WorldThenBodyThenCloth) {
+    Ending end;
+    end.world.reset();
+    end.body.reset();
+    end.cloth.reset();
+}
+
+TEST(Lifetime, WorldThenClothThenBody) {
+    Ending end;
+    end.world.reset();
+    end.cloth.reset();
+    EXPECT_GT(end.body->m_nodes[20].m_im, 0);
+    end.body.reset();
+}
+
+TEST(Lifetime, ABodyThatLeavesAndComesBackGoesOn) {
+    Ending end;
+    const double before = end.cloth->moisture().totalPoreMass();
+    end.removeBody();
+    end.world->step(0.1, 10);
+    EXPECT_EQ(end.cloth->moisture().totalPoreMass(), before);
+    end.world->world().addSoftBody(end.body.get());
+    end.world->step(0.1, 10);
+    EXPECT_GT(end.cloth->moisture().totalPoreMass(), before);
+    end.removeBody();
+}
+
+TEST(Lifetime, AWorldThatOutlivesAnUnhookedLayerStillCallsTheApplication) {
+    Ending end;
+    Application application;
+    end.cloth.reset();
+    end.world->world().setInternalTickCallback(applicationCallback, &application, preTick);
+    end.cloth = std::make_unique<WetCloth>(end.world->world(), *end.body, fabrics::cottonPlain());
+    end.removeBody();
+    end.body.reset();
+    end.cloth.reset();  // cannot tell whether the world is still there, and must not touch it
+    end.world->step(0.05, 5);
+    EXPECT_EQ(application.calls, 5);
+}
+
+}  // namespace
+}  // namespace drench

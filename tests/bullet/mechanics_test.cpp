@@ -1,0 +1,165 @@
+// Whether weight shows as it should, against a solver that shares nothing with Bullet or the library.
+#include <gtest/gtest.h>
+
+#include "static_equilibrium.h"
+#include "worlds.h"
+
+namespace drench {
+namespace {
+
+constexpr int nodes = 17;
+constexpr double side = 0.5;
+
+/// Cloth that is equally stiff wet and dry, so that water changes nothing but the weight.
+Fabric constantStiffness(double stretch) {
+    Fabric fabric = fabrics::cottonPlain();
+    fabric.stretchWarp = stretch;
+    fabric.stretchWeft = stretch;
+    fabric.shear = 0.2 * stretch;
+    fabric.wetStretchRatio = 1;
+    fabric.wetBendingRatio = 1;
+    return fabric;
+}
+
+struct Outcome {
+    double sag;         // m, how much lower the lower edge's middle is than at rest
+    double meanStrain;  // of stretch and shear links
+};
+
+bool hangsByCorners(int node) {
+    return node < 2 || (node >= nodes - 2 && node < nodes);
+}
+
+/// Lets a sheet with `water` times its own mass of water come to rest in Bullet.
+Outcome inBullet(const Fabric& fabric, double water, double dt) {
+    demo::BulletWorld bullet;
+    const auto sheet = test::hangingSheet(bullet.world().getWorldInfo(), fabric, side, nodes);
+    for (int n = 0; n < nodes; ++n)
+        if (!hangsByCorners(n)) sheet->m_nodes[n].m_im = 1;  // only the corners hold it
+    bullet.world().addSoftBody(sheet.get());
+    WetCloth cloth(bullet.world(), *sheet, fabric);
+    cloth.soak(water * fabric.arealDensity);
+    sheet->m_cfg.kDP = btScalar(3 * dt);
+    bullet.step(5, static_cast<int>(5 / dt));
+
+    Outcome outcome{-side - double(sheet->m_nodes[nodes / 2 + nodes * (nodes - 1)].m_x.y()), 0};
+    int counted = 0;
+    for (int i = 0; i < sheet->m_links.size(); ++i) {
+        const btSoftBody::Link& link = sheet->m_links[i];
+        if (link.m_bbending) continue;
+        outcome.meanStrain +=
+            std::abs(double((link.m_n[1]->m_x - link.m_n[0]->m_x).length() / link.m_rl) - 1);
+        ++counted;
+    }
+    outcome.meanStrain /= counted;
+    bullet.world().removeSoftBody(sheet.get());
+    return outcome;
+}
+
+/// The same sheet put together from the textile formulas alone and solved at rest in double precision.
+Outcome atRest(const Fabric& fabric, double water) {
+    constexpr double a = side / (nodes - 1);
+    const auto node = [](int i, int j) { return i + nodes * j; };
+    test::StaticProblem problem;
+    for (int j = 0; j < nodes; ++j)
+        for (int i = 0; i < nodes; ++i) {
+            problem.positions.emplace_back(a * i, -a * j, 0);
+            problem.masses.push_back(0);
+            problem.pinned.push_back(hangsByCorners(node(i, j)));
+        }
+    for (int j = 0; j + 1 < nodes;
+         ++j)  // each cell cut along one diagonal; a third of a triangle to each corner
+        for (int i = 0; i + 1 < nodes; ++i)
+            for (const int corner : {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j),
+                                     node(i + 1, j + 1), node(i, j + 1)})
+                problem.masses[std::size_t(corner)] += fabric.arealDensity * (1 + water) * a * a / 6;
+    const auto add = [&](int from, int to, double length, double stiffness) {
+        problem.springs.push_back({{from, to}, length, stiffness});
+    };
+    const double g = fabric.shear;
+    for (int j = 0; j < nodes; ++j)
+        for (int i = 0; i < nodes; ++i) {
+            const double rowShare = j == 0 || j == nodes - 1 ? 0.5 : 1,
+                         columnShare = i == 0 || i == nodes - 1 ? 0.5 : 1;
+            if (i + 1 < nodes) add(node(i, j), node(i + 1, j), a, (fabric.stretchWarp - g) * rowShare);
+            if (j + 1 < nodes) add(node(i, j), node(i, j + 1), a, (fabric.stretchWeft - g) * columnShare);
+            if (i + 1 == nodes || j + 1 == nodes) continue;
+            add(node(i, j), node(i + 1, j + 1), a * std::sqrt(2.0), g);
+            add(node(i + 1, j), node(i, j + 1), a * std::sqrt(2.0), g);
+        }
+    const auto x = test::solveStatic(problem);
+    return {-side - x[std::size_t(node(nodes / 2, nodes - 1))].y(), test::meanStrain(problem, x)};
+}
+
+TEST(Mechanics, SagAndStrainGrowWithWeightAsAtRestInAnIndependentSolver) {
+    const Fabric fabric = constantStiffness(60);
+    constexpr double dt = 1.0 / 960;
+    {  // the substep resolves the stiffness
+        demo::BulletWorld bullet;
+        const auto sheet = test::hangingSheet(bullet.world().getWorldInfo(), fabric, side, nodes);
+        const WetCloth cloth(bullet.world(), *sheet, fabric);
+        ASSERT_GE(cloth.stepBound(), dt);
+    }
+    const Outcome single = inBullet(fabric, 0, dt);
+    for (const int times : {1, 2, 3}) {
+        const Outcome found = inBullet(fabric, times - 1, dt), expected = atRest(fabric, times - 1);
+        RecordProperty("sag_error_" + std::to_string(times), std::to_string(found.sag / expected.sag - 1));
+        EXPECT_NEAR(found.sag / expected.sag, 1, 0.05) << times << " times the mass";
+        EXPECT_NEAR(found.meanStrain / expected.meanStrain, 1, 0.05) << times << " times the mass";
+        EXPECT_NEAR(found.meanStrain / single.meanStrain, times, 0.10 * times);
+        std::printf("%d x mass: sag %.5f m, at rest %.5f m; mean strain %.5f, at rest %.5f\n", times,
+                    found.sag, expected.sag, found.meanStrain, expected.meanStrain);
+    }
+}
+
+TEST(Mechanics, DryingByHalfInOneStepDoesNotBlowUp) {
+    // A body whose masses fall to less than half between two substeps: the application makes a new, dry
+    // layer.
+    test::SheetWorld rig(test::smallSheet);
+    {
+        WetCloth soaked(rig.world(), rig.sheet(), fabrics::cottonPlain());
+        soaked.soak(0.35);
+        for (int i = 0; i < 30; ++i) rig.bullet().step(1.0 / 60, 16);
+    }
+    double before = 0;
+    for (int n = 0; n < rig.sheet().m_nodes.size(); ++n) before += test::mass(rig.sheet().m_nodes[n]);
+    WetCloth dry(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    for (int i = 0; i < 120; ++i) {
+        rig.bullet().step(1.0 / 60, 16);
+        ASSERT_LT(test::largestStrain(rig.sheet()), 0.2) << "frame " << i;
+    }
+    double after = 0;
+    for (int n = 0; n < rig.sheet().m_nodes.size(); ++n) after += test::mass(rig.sheet().m_nodes[n]);
+    EXPECT_NEAR(after, before, 1e-6);
+}
+
+TEST(Mechanics, SixtyFourSquaredWithBulletsDefaultsSurvivesTenSeconds) {
+    const auto survives = [](std::unique_ptr<btSoftBody> sheet, demo::BulletWorld& bullet) {
+        bullet.world().addSoftBody(sheet.get());
+        ASSERT_EQ(sheet->m_cfg.piterations, 1);
+        WetCloth cloth(bullet.world(), *sheet, fabrics::cottonPlain());
+        cloth.soak(0.1);
+        bullet.step(10, 600);
+        EXPECT_TRUE(test::isFinite(*sheet));
+        for (int n = 0; n < sheet->m_nodes.size(); ++n)
+            ASSERT_LT(double((sheet->m_nodes[n].m_x - sheet->m_nodes[0].m_x).length()), 200) << n;
+        bullet.world().removeSoftBody(sheet.get());
+    };
+    {
+        demo::BulletWorld bullet;
+        survives(test::hangingSheet(bullet.world().getWorldInfo(), fabrics::cottonPlain(), 2, 64), bullet);
+    }
+    {  // Bullet's own patch, whose links come in mesh order
+        demo::BulletWorld bullet;
+        btSoftBodyWorldInfo& info = bullet.world().getWorldInfo();
+        info.m_sparsesdf.setDefaultVoxelsz(btScalar(0.02));
+        info.m_sparsesdf.Reset();
+        std::unique_ptr<btSoftBody> body(btSoftBodyHelpers::CreatePatch(
+            info, {-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, 64, 64, 1 + 2, true));
+        body->getCollisionShape()->setMargin(btScalar(0.01));
+        survives(std::move(body), bullet);
+    }
+}
+
+}  // namespace
+}  // namespace drench

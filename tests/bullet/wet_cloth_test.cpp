@@ -1,0 +1,302 @@
+#include "drench/wet_cloth.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "worlds.h"
+
+namespace drench {
+namespace {
+
+using test::SheetWorld;
+
+/// Every body that a layer must work on.
+class AnyBody : public testing::TestWithParam<std::unique_ptr<btSoftBody> (*)(btSoftBodyWorldInfo&)> {};
+
+INSTANTIATE_TEST_SUITE_P(Bodies, AnyBody, testing::Values(test::smallSheet, test::patch, test::triangleMesh),
+                         [](const auto& info) {
+                             static const char* const names[] = {"Sheet", "Patch", "TriangleMesh"};
+                             return std::string(names[info.index]);
+                         });
+
+TEST_P(AnyBody, GainsTheMassOfItsWaterPerNodeAndInTotalAndKeepsItsPins) {
+    SheetWorld rig(GetParam());
+    btSoftBody& body = rig.sheet();
+    std::vector<bool> pinned;
+    for (int n = 0; n < body.m_nodes.size(); ++n) pinned.push_back(body.m_nodes[n].m_im == 0);
+    WetCloth cloth(rig.world(), body, fabrics::cottonPlain());
+    std::vector<double> dry;
+    for (int n = 0; n < body.m_nodes.size(); ++n) dry.push_back(test::mass(body.m_nodes[n]));
+
+    cloth.soak(0.1);
+    for (int n = 0; n < body.m_nodes.size(); n += 3) cloth.addWater(n, 1e-5 * (n + 1), {0, -1, 0});
+    rig.bullet().step(1.0 / 60, 8);
+
+    double gained = 0, expected = 0;
+    for (int n = 0; n < body.m_nodes.size(); ++n) {
+        const double area = cloth.moisture().area(static_cast<std::size_t>(n));
+        const double water = 0.1 * area + (n % 3 == 0 ? 1e-5 * (n + 1) : 0);
+        expected += water;
+        EXPECT_EQ(body.m_nodes[n].m_im == 0, pinned[static_cast<std::size_t>(n)]) << n;
+        EXPECT_NEAR(cloth.nodeMass(n), area * 0.150 + water, 1e-6 * cloth.nodeMass(n)) << n;
+        if (pinned[static_cast<std::size_t>(n)]) {
+            gained += water;  // there, though Bullet does not see it
+            continue;
+        }
+        const double increase = test::mass(body.m_nodes[n]) - dry[static_cast<std::size_t>(n)];
+        EXPECT_NEAR(increase, water, 1e-6 * test::mass(body.m_nodes[n])) << n;
+        gained += increase;
+    }
+    EXPECT_NEAR(gained, expected, 1e-6 * expected);
+    EXPECT_NEAR(cloth.waterMass(), expected, 1e-9 * expected);
+    EXPECT_LT(std::abs(cloth.ledger().imbalance()), 1e-6 * cloth.ledger().supplied);
+    EXPECT_TRUE(test::isFinite(body));
+}
+
+TEST_P(AnyBody, IsGivenBackAsItWas) {
+    SheetWorld rig(GetParam());
+    btSoftBody& body = rig.sheet();
+    body.m_cfg.kDG = btScalar(0.3);
+    body.m_cfg.kLF = btScalar(0.1);
+    int mark = 0;
+    body.setUserPointer(&mark);
+    body.m_tag = &mark;
+    body.m_nodes[3].m_tag = &mark;
+    body.m_links[5].m_tag = &mark;
+    btCollisionShape* shape = body.getCollisionShape();
+    shape->setUserPointer(&mark);
+    rig.bullet().step(1.0 / 240, 1);  // so that Bullet has set the body up
+
+    const btScalar margin = shape->getMargin();
+    std::vector<btScalar> inverseMasses, restLengths, constants;
+    std::vector<const btSoftBody::Node*> ends;
+    for (int n = 0; n < body.m_nodes.size(); ++n) inverseMasses.push_back(body.m_nodes[n].m_im);
+    for (int i = 0; i < body.m_links.size(); ++i) {
+        restLengths.push_back(body.m_links[i].m_rl);
+        constants.push_back(body.m_links[i].m_c0);
+        ends.push_back(body.m_links[i].m_n[0]);
+    }
+    {
+        WetCloth cloth(rig.world(), body, fabrics::cottonPlain());
+        EXPECT_EQ(body.m_cfg.kDG, 0);
+        EXPECT_EQ(body.getUserPointer(), &mark);
+        EXPECT_EQ(body.getCollisionShape()->getUserPointer(), &mark);
+        cloth.soak(0.2);
+        for (int i = 0; i < 20; ++i) rig.bullet().step(1.0 / 60, 8);
+    }
+    EXPECT_EQ(body.m_cfg.kDG, btScalar(0.3));
+    EXPECT_EQ(body.m_cfg.kLF, btScalar(0.1));
+    EXPECT_EQ(body.getCollisionShape(), shape);
+    EXPECT_EQ(shape->getMargin(), margin);
+    EXPECT_EQ(shape->getUserPointer(), &mark);
+    EXPECT_EQ(body.getUserPointer(), &mark);
+    EXPECT_EQ(body.m_tag, &mark);
+    EXPECT_EQ(body.m_nodes[3].m_tag, &mark);
+    EXPECT_EQ(body.m_links[5].m_tag, &mark);
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        EXPECT_EQ(body.m_nodes[n].m_im, inverseMasses[static_cast<std::size_t>(n)]) << n;
+    for (int i = 0; i < body.m_links.size(); ++i) {
+        EXPECT_EQ(body.m_links[i].m_rl, restLengths[static_cast<std::size_t>(i)]) << i;
+        EXPECT_EQ(body.m_links[i].m_c0, constants[static_cast<std::size_t>(i)]) << i;
+        EXPECT_EQ(body.m_links[i].m_n[0], ends[static_cast<std::size_t>(i)]) << i;
+    }
+}
+
+TEST_P(AnyBody, KeepsItsRestLengthsBitForBitOverAThousandSteps) {
+    SheetWorld rig(GetParam());
+    WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    std::vector<btScalar> restLengths;
+    for (int i = 0; i < rig.sheet().m_links.size(); ++i) restLengths.push_back(rig.sheet().m_links[i].m_rl);
+    rig.bullet().step(1000.0 / 960, 1000);
+    for (int i = 0; i < rig.sheet().m_links.size(); ++i) {
+        const btSoftBody::Link& link = rig.sheet().m_links[i];
+        EXPECT_EQ(link.m_rl, restLengths[static_cast<std::size_t>(i)]) << i;
+        EXPECT_EQ(link.m_c1, link.m_rl * link.m_rl) << i;
+    }
+}
+
+TEST_P(AnyBody, DoesNotCreepWhenTheApplicationSetsMassesInFlight) {
+    SheetWorld rig(GetParam());
+    WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    cloth.soak(0.1);
+    std::vector<btScalar> restLengths;
+    for (int i = 0; i < rig.sheet().m_links.size(); ++i) restLengths.push_back(rig.sheet().m_links[i].m_rl);
+    for (int frame = 0; frame < 120; ++frame) {
+        rig.sheet().setMass(40, btScalar(0.5));
+        if (frame == 60) rig.sheet().setTotalMass(3);
+        rig.bullet().step(1.0 / 60, 8);
+    }
+    for (int i = 0; i < rig.sheet().m_links.size(); ++i)
+        EXPECT_EQ(rig.sheet().m_links[i].m_rl, restLengths[static_cast<std::size_t>(i)]) << i;
+    EXPECT_NEAR(test::mass(rig.sheet().m_nodes[40]), cloth.nodeMass(40), 1e-6 * cloth.nodeMass(40));
+    EXPECT_TRUE(test::isFinite(rig.sheet()));
+}
+
+TEST(WetCloth, HonoursPinsThatComeAndGoWhileRunning) {
+    SheetWorld rig(test::smallSheet);
+    WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    rig.bullet().step(0.1, 40);
+    const int node = 8 + 17 * 16;
+    rig.sheet().setMass(node, 0);
+    const btVector3 held = rig.sheet().m_nodes[node].m_x;
+    rig.sheet().m_nodes[node].m_v.setZero();
+    rig.bullet().step(0.2, 80);
+    EXPECT_EQ(rig.sheet().m_nodes[node].m_im, 0);
+    EXPECT_LT(double((rig.sheet().m_nodes[node].m_x - held).length()), 1e-6);
+    rig.sheet().setMass(node, 1);
+    rig.bullet().step(0.1, 40);
+    EXPECT_NEAR(test::mass(rig.sheet().m_nodes[node]), cloth.nodeMass(node), 1e-6 * cloth.nodeMass(node));
+}
+
+TEST(WetCloth, ArrivingWaterBringsItsMomentum) {
+    demo::BulletWorld bullet;
+    bullet.world().getWorldInfo().m_gravity.setZero();
+    const auto sheet = makeSheet(bullet.world().getWorldInfo(), fabrics::cottonPlain(),
+                                 flatCorners({0, 0, 0}, {1, 0, 0}, {0, 0, 1}), 11, 11);
+    bullet.world().addSoftBody(sheet.get());
+    SheetSettings settings;
+    settings.stepping = Stepping::byApplication;
+    WetCloth cloth(bullet.world(), *sheet, fabrics::cottonPlain(), settings);
+    sheet->m_nodes[60].m_v = {0, 1, 0};
+    const double before = test::mass(sheet->m_nodes[60]);
+    cloth.addWater(60, 1e-3, {0, -2, 0});
+    cloth.addWater(60, 1e-3, {3, 0, 0});
+    cloth.preSubstep(btScalar(1.0 / 240));
+    // (m v + sum of dm u) / (m + sum of dm), by hand.
+    const double after = before + 2e-3;
+    EXPECT_NEAR(sheet->m_nodes[60].m_v.x(), 1e-3 * 3 / after, 1e-5);
+    EXPECT_NEAR(sheet->m_nodes[60].m_v.y(), (before * 1 - 1e-3 * 2) / after, 1e-5);
+    // Water that arrives with the node's own velocity changes nothing but the mass.
+    const btVector3 velocity = sheet->m_nodes[60].m_v;
+    cloth.addWater(60, 1e-3);
+    cloth.preSubstep(btScalar(1.0 / 240));
+    EXPECT_LT(double((sheet->m_nodes[60].m_v - velocity).length()), 1e-6);
+    bullet.world().removeSoftBody(sheet.get());
+}
+
+TEST(WetCloth, WaterWakesASleepingSheet) {
+    SheetWorld rig(test::smallSheet);
+    WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    rig.sheet().forceActivationState(ISLAND_SLEEPING);
+    cloth.air().wind = {0, 0, 5};
+    rig.bullet().step(0.1, 10);
+    for (int n = 0; n < rig.sheet().m_nodes.size(); ++n)
+        EXPECT_EQ(rig.sheet().m_nodes[n].m_f.length2(), 0);  // nothing piles up meanwhile
+    cloth.addWater(100, 1e-3);
+    EXPECT_TRUE(rig.sheet().isActive());
+}
+
+TEST(WetCloth, SeveralSheetsInOneWorldKeepTheirOwnWater) {
+    demo::BulletWorld bullet;
+    btSoftBodyWorldInfo& info = bullet.world().getWorldInfo();
+    const auto cottonSheet = test::hangingSheet(info, fabrics::cottonPlain(), 0.5, 12);
+    const auto denimSheet = test::hangingSheet(info, fabrics::denim(), 0.5, 12);
+    bullet.world().addSoftBody(cottonSheet.get());
+    bullet.world().addSoftBody(denimSheet.get());
+    {
+        WetCloth cotton(bullet.world(), *cottonSheet, fabrics::cottonPlain());
+        auto denim = std::make_unique<WetCloth>(bullet.world(), *denimSheet, fabrics::denim());
+        cotton.soak(0.1);
+        bullet.step(0.1, 40);
+        EXPECT_NEAR(cotton.waterMass(), 0.025, 1e-8);
+        EXPECT_EQ(denim->waterMass(), 0.0);
+        EXPECT_NEAR(denim->dryMass(), 0.324 * 0.25, 1e-6);
+        denim.reset();
+        bullet.step(0.5, 200);
+        EXPECT_GT(cotton.saturation(70), 0.2);  // the other goes on
+    }
+    bullet.world().removeSoftBody(cottonSheet.get());
+    bullet.world().removeSoftBody(denimSheet.get());
+}
+
+TEST(WetCloth, WaterSpeedRunsWaterFasterThanMechanics) {
+    SheetWorld slow(test::smallSheet), fast(test::smallSheet);
+    SheetSettings settings;
+    settings.waterSpeed = 10;
+    WetCloth slowCloth(slow.world(), slow.sheet(), fabrics::cottonPlain());
+    WetCloth fastCloth(fast.world(), fast.sheet(), fabrics::cottonPlain(), settings);
+    slowCloth.soak(1);
+    fastCloth.soak(1);
+    slow.bullet().step(1.0, 240);
+    fast.bullet().step(0.1, 24);
+    EXPECT_NEAR(fastCloth.saturation(100), slowCloth.saturation(100), 1e-5);
+}
+
+TEST(WetCloth, MaterialCoordinatesGiveLinksTheirDirection) {
+    // The same patch, once flattened by the layer and once with warp and weft exchanged by the application.
+    Fabric unequal = fabrics::cottonPlain();
+    unequal.stretchWarp = 4000;
+    unequal.stretchWeft = 100;
+    double stretch[2];
+    for (const bool exchanged : {false, true}) {
+        SheetWorld rig(+[](btSoftBodyWorldInfo& info) {
+            return test::hangingSheet(info, fabrics::cottonPlain(), 0.5, 11);
+        });
+        SheetSettings settings;
+        for (int n = 0; exchanged && n < rig.sheet().m_nodes.size(); ++n)
+            settings.materialCoordinates.emplace_back(0.05 * (n / 11), 0.05 * (n % 11));
+        WetCloth cloth(rig.world(), rig.sheet(), unequal, settings);
+        rig.sheet().m_cfg.kDP = btScalar(0.002);
+        cloth.soak(0.8);
+        for (int i = 0; i < 60; ++i) rig.bullet().step(1.0 / 60, 32);
+        stretch[exchanged ? 1 : 0] = -0.5 - double(rig.sheet().m_nodes[5 + 11 * 10].m_x.y());
+    }
+    EXPECT_GT(stretch[0], 5 * stretch[1]);  // hangs along the soft weft, then along the stiff warp
+}
+
+TEST(WetCloth, RefusesInputThatIsNotFiniteBeforeBulletSeesIt) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    SheetWorld rig(test::smallSheet);
+    WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    EXPECT_THROW(cloth.addWater(0, nan), std::invalid_argument);
+    EXPECT_THROW(cloth.addWater(0, -1), std::invalid_argument);
+    EXPECT_THROW(cloth.addWater(-1, 1e-3), std::out_of_range);
+    EXPECT_THROW(cloth.addWater(100000, 1e-3), std::out_of_range);
+    EXPECT_THROW(cloth.addWater(0, 1e-3, {btScalar(nan), 0, 0}), std::invalid_argument);
+    EXPECT_THROW(cloth.soak(nan), std::invalid_argument);
+    EXPECT_EQ(cloth.waterMass(), 0.0);
+
+    cloth.air().wind = {0, nan, 0};
+    EXPECT_THROW(rig.bullet().step(1.0 / 60, 1), std::runtime_error);
+    cloth.air().wind.setZero();
+    rig.sheet().m_nodes[20].m_v.setY(btScalar(nan));
+    try {
+        rig.bullet().step(1.0 / 60, 1);
+        FAIL() << "let a velocity that is not finite through";
+    } catch (const std::runtime_error& problem) {
+        EXPECT_NE(std::string(problem.what()).find("node 20"), std::string::npos);
+    }
+    rig.sheet().m_nodes[20].m_v.setZero();
+    rig.bullet().step(1.0 / 60, 4);
+    EXPECT_TRUE(test::isFinite(rig.sheet()));
+}
+
+TEST(WetCloth, SaysSoWhenTheBodysTopologyChanges) {
+    SheetWorld rig(test::smallSheet);
+    WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    rig.bullet().step(1.0 / 60, 4);
+    rig.sheet().appendLink(0, 40);
+    EXPECT_THROW(rig.bullet().step(1.0 / 60, 1), std::runtime_error);
+}
+
+TEST(WetCloth, SteppingByTheApplicationIsTheApplicationsAlone) {
+    SheetWorld rig(test::smallSheet);
+    SheetSettings settings;
+    settings.stepping = Stepping::byApplication;
+    WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain(), settings);
+    cloth.soak(0.1);
+    rig.bullet().step(1.0, 240);
+    EXPECT_EQ(cloth.moisture().totalPoreMass(), 0.0);
+    cloth.preSubstep(btScalar(0.01));
+    EXPECT_GT(cloth.moisture().totalPoreMass(), 0.0);
+    EXPECT_THROW(cloth.preSubstep(0), std::invalid_argument);
+    EXPECT_THROW(cloth.preSubstep(std::numeric_limits<btScalar>::quiet_NaN()), std::invalid_argument);
+
+    SheetWorld other(test::smallSheet);
+    WetCloth byWorld(other.world(), other.sheet(), fabrics::cottonPlain());
+    EXPECT_THROW(byWorld.preSubstep(btScalar(0.01)), std::logic_error);
+}
+
+}  // namespace
+}  // namespace drench

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Runs drench-demo as a user would and looks at exit statuses, messages and files. $1: the program.
+set -u
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failed=0
+
+# expect STATUS PATTERN ARGUMENT...: the exit status, and what stdout and stderr together must contain.
+expect() {
+  local status=$1 pattern=$2
+  shift 2
+  local output got
+  output=$("$program" "$@" 2>&1)
+  got=$?
+  if [ "$got" -ne "$status" ] || ! grep -qE -- "$pattern" <<<"$output"; then
+    echo "drench-demo $*: exit $got (want $status), output without '$pattern':"
+    echo "$output" | tail -5
+    failed=1
+  fi
+}
+
+# exists FILE...: written, and not empty.
+exists() {
+  local file
+  for file in "$@"; do
+    [ -s "$file" ] || { echo "missing: ${file#"$folder"/}"; failed=1; }
+  done
+}
+
+unset DISPLAY WAYLAND_DISPLAY
+expect 0 'ten-steps' --list
+expect 0 '--headless' --help
+expect 2 'SCENE' --headless
+expect 2 'no-such-scene' no-such-scene --headless
+expect 2 'tweed' drape --headless --fabric tweed
+expect 2 'resolution' drape --headless --resolution 0
+expect 2 'seconds' drape --headless --seconds nan
+expect 2 'every' drape --headless --every -1
+expect 2 'run with --headless' drape
+expect 2 '/proc/no/such.csv' drape --headless --seconds 0.1 --resolution 8 --csv /proc/no/such.csv
+
+expect 0 'check passed' drape --headless --seconds 0.2 --resolution 12 --csv "$folder/new/drape.csv" \
+  --frames "$folder/frames" --every 5
+exists "$folder/new/drape.csv" "$folder/frames/frame-000005.png" "$folder/frames/frame-000010.png" \
+  "$folder/frames/contact-sheet.png"
+head -1 "$folder/new/drape.csv" | grep -q '^time_s,' || { echo "drape.csv has no header"; failed=1; }
+
+# The same seed gives the same numbers.
+for run in 1 2; do
+  expect 0 'check passed' ten-steps --headless --seconds 5 --resolution 12 --seed 7 --csv "$folder/run$run.csv"
+  cut -d, -f1-9 "$folder/run$run.csv" >"$folder/run$run.physics"  # without the columns that time the machine
+done
+cmp "$folder/run1.physics" "$folder/run2.physics" || failed=1
+exit $failed
