@@ -11,14 +11,18 @@ namespace {
 
 using test::SheetWorld;
 
+using MakeBody = std::unique_ptr<btSoftBody> (*)(btSoftBodyWorldInfo&);
+
 /// Every body that a layer must work on.
-class AnyBody : public testing::TestWithParam<std::unique_ptr<btSoftBody> (*)(btSoftBodyWorldInfo&)> {};
+class AnyBody : public testing::TestWithParam<MakeBody> {};
+
+std::string nameOfBody(const testing::TestParamInfo<MakeBody>& body) {
+    const char* const all[] = {"Sheet", "Patch", "TriangleMesh"};
+    return all[body.index];
+}
 
 INSTANTIATE_TEST_SUITE_P(Bodies, AnyBody, testing::Values(test::smallSheet, test::patch, test::triangleMesh),
-                         [](const auto& info) {
-                             static const char* const names[] = {"Sheet", "Patch", "TriangleMesh"};
-                             return std::string(names[info.index]);
-                         });
+                         nameOfBody);
 
 TEST_P(AnyBody, GainsTheMassOfItsWaterPerNodeAndInTotalAndKeepsItsPins) {
     SheetWorld rig(GetParam());
