@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace drench {
@@ -23,7 +24,7 @@ std::string_view toString(Provenance provenance);
 struct Quantity {
     double value = 0;
     Provenance provenance = Provenance::given;
-    std::string source;  ///< author, year and table or equation; empty for values that are given
+    std::string source;  ///< author and year, or the reason; may be empty unless measured
 
     Quantity() = default;
     Quantity(double v) : value(v) {}
@@ -34,8 +35,8 @@ struct Quantity {
 /// A woven or knitted cloth in textile units, dry and wet.
 ///
 /// The defaults are those of `fabrics::cottonPlain()`. Change what you know of your own cloth and hand it to
-/// `makeSheet` or `WetCloth`; both call `validate`. Warp is the direction of material coordinate u, weft
-/// that of v. "Wet" means that the bound water is at its maximum.
+/// `makeSheet` or `WetCloth`; both call `validate`. Warp is the direction of material coordinate u, weft that of v.
+/// "Wet" means that the bound water is at its maximum. A star marks parameters that no law of this version uses yet.
 struct Fabric {
     std::string name = "cotton plain";  ///< for messages and files; not empty
 
@@ -45,47 +46,45 @@ struct Fabric {
     Quantity fibreDensity;  ///< mass of the fibre itself per volume, kg/m3; 700 to 8000; cotton 1520
 
     // Water
-    Quantity regain;        ///< water held in air of 65 % relative humidity, kg/kg; 0 to 0.5; cotton 0.075
-    Quantity boundMaximum;  ///< content up to which water is bound in the fibre and softens it, kg/kg; 0.001
-                            ///< to 1; cotton 0.22
-    Quantity wettingTime;   ///< time constant with which a film goes into the pores, s; 1e-3 to 1e5; cotton 2
-    Quantity contactAngle;  ///< of water on the fibre, degrees; 0 to 179; cotton 41
-    Quantity entryPressure;  ///< capillary pressure at which pores start to empty, Pa; 1 to 1e5; cotton 1200
-    Quantity permeabilityWarp;  ///< of the saturated cloth to water along the warp, m2; 1e-16 to 1e-8; cotton
-                                ///< 2e-11
-    Quantity permeabilityWeft;  ///< the same along the weft
-    Quantity poreSizeIndex;     ///< Brooks-Corey exponent L of the pore sizes, 1; 0.2 to 10; cotton 1
+    Quantity regain;            ///< water held in air of 65 % humidity, kg/kg; 0 to 0.5; cotton 0.075 *
+    Quantity boundMaximum;      ///< water that softens the fibre, at most, kg/kg; 0.001 to 1; cotton 0.22
+    Quantity wettingTime;       ///< time constant from film to pores, s; 1e-3 to 1e5; cotton 2
+    Quantity contactAngle;      ///< of water on the fibre, degrees; 0 to 179; cotton 41 *
+    Quantity entryPressure;     ///< at which pores start to empty, Pa; 1 to 1e5; cotton 1200 *
+    Quantity permeabilityWarp;  ///< saturated, to water along the warp, m2; 1e-16 to 1e-8; cotton 2e-11 *
+    Quantity permeabilityWeft;  ///< the same along the weft *
+    Quantity poreSizeIndex;     ///< Brooks-Corey exponent L of the pore sizes, 1; 0.2 to 10; cotton 1 *
 
     // Mechanics, dry
-    Quantity stretchWarp;  ///< tension per width and strain along the warp, N/m; 1 to 1e6; cotton 2000
+    Quantity stretchWarp;  ///< tension per width and strain, N/m; 1 to 1e6; cotton 2000
     Quantity stretchWeft;  ///< the same along the weft
-    Quantity shear;    ///< shear force per width and angle, N/m; 0.1 to 1e6, below both stretches; cotton 60
-    Quantity bending;  ///< bending rigidity per width B, N m; 1e-9 to 1; cotton 1.16e-5
-    Quantity bendingFriction;  ///< bending moment per width that friction holds, HB, N; 0 to 1; cotton 6e-4
+    Quantity shear;        ///< force per width and angle, N/m; 0.1 to 1e6, below both stretches; cotton 60
+    Quantity bending;      ///< bending rigidity per width B, N m; 1e-9 to 1; cotton 1.16e-5
+    Quantity bendingFriction;  ///< moment per width that friction holds, HB, N; 0 to 1; cotton 6e-4 *
 
     // Mechanics, wet over dry
     Quantity wetStretchRatio;          ///< of stretch and shear, 1; 0.01 to 10; cotton 0.6
     Quantity wetBendingRatio;          ///< of the bending rigidity, 1; 0.01 to 10; cotton 0.6
-    Quantity wetBendingFrictionRatio;  ///< of the bending friction, 1; 0.01 to 10; cotton 1.7
+    Quantity wetBendingFrictionRatio;  ///< of the bending friction, 1; 0.01 to 10; cotton 1.7 *
 
     // Touch
-    Quantity plateFrictionDry;     ///< friction coefficient on a smooth plate, dry, 1; 0 to 5; cotton 0.25
-    Quantity plateFrictionDamp;    ///< the same at its damp peak; cotton 0.9
-    Quantity plateFrictionSoaked;  ///< the same when a film lubricates; cotton 0.4
-    Quantity skinFrictionDry;      ///< friction coefficient on skin, dry, 1; 0 to 5; cotton 0.45
-    Quantity skinFrictionDamp;     ///< the same at its damp peak; cotton 1.2
-    Quantity skinFrictionSoaked;   ///< the same when a film lubricates; cotton 0.9
-    Quantity clingEnergy;  ///< energy to peel wet cloth off a wettable surface, J/m2; 0 to 0.146; cotton 0.13
+    Quantity plateFrictionDry;     ///< friction coefficient on a smooth plate, 1; 0 to 5; cotton 0.25
+    Quantity plateFrictionDamp;    ///< the same at its damp peak; cotton 0.9 *
+    Quantity plateFrictionSoaked;  ///< the same when a film lubricates; cotton 0.4 *
+    Quantity skinFrictionDry;      ///< friction coefficient on skin, 1; 0 to 5; cotton 0.45 *
+    Quantity skinFrictionDamp;     ///< the same at its damp peak; cotton 1.2 *
+    Quantity skinFrictionSoaked;   ///< the same when a film lubricates; cotton 0.9 *
+    Quantity clingEnergy;  ///< to peel wet cloth off a wettable surface, J/m2; 0 to 0.146; cotton 0.13 *
 
     // Air
-    Quantity airPermeabilityDry;  ///< air speed through the dry cloth at 100 Pa, m/s; 0 to 10; cotton 0.1
+    Quantity airPermeabilityDry;        ///< air speed through dry cloth at 100 Pa, m/s; 0 to 10; cotton 0.1
     Quantity airPermeabilitySaturated;  ///< the same with full pores, m/s; 0 to the dry value; cotton 0.005
 
     // Looks
-    Quantity albedoRed;       ///< diffuse reflectance of the dry cloth, linear, 1; 0.001 to 0.99; cotton 0.20
+    Quantity albedoRed;       ///< diffuse reflectance, dry, linear, 1; 0.001 to 0.99; cotton 0.20
     Quantity albedoGreen;     ///< the same, green; cotton 0.31
     Quantity albedoBlue;      ///< the same, blue; cotton 0.46
-    Quantity scatteringLoss;  ///< factor q by which scattering falls when wet, 1; 1 to 100; cotton 8
+    Quantity scatteringLoss;  ///< factor q by which scattering falls when wet, 1; 1 to 100; cotton 8 *
 
     /// A cotton plain weave; see `fabrics::cottonPlain()`.
     Fabric();
@@ -110,8 +109,8 @@ struct FabricParameter {
 /// Every parameter of `Fabric`, in the order of its declaration.
 const std::vector<FabricParameter>& fabricParameters();
 
-/// Checks every parameter for a finite value within its range, and those that depend on each other
-/// (porosity between 0 and 1, shear below stretch, saturated air permeability not above the dry one).
+/// Checks every parameter for a finite value within its range, and those that depend on each other: porosity from 0.01
+/// to 0.999, shear below both stretches, saturated air permeability not above the dry one.
 /// @throws std::invalid_argument that names the fabric, the parameter, its value and the range.
 void validate(const Fabric& fabric);
 
@@ -126,8 +125,7 @@ Fabric silk();            ///< silk, 70 g/m2
 Fabric nylonTaffeta();    ///< dense nylon taffeta, 70 g/m2
 Fabric denim();           ///< 11 oz cotton denim, 324 g/m2
 
-/// Names that `byName` knows, in the order above: "cotton", "polyester", "wool", "linen", "silk", "nylon",
-/// "denim".
+/// Names that `byName` knows, in the order above: cotton, polyester, wool, linen, silk, nylon, denim.
 const std::vector<std::string>& names();
 
 /// The preset of that name. @throws std::invalid_argument that lists the names there are.

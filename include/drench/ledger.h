@@ -8,9 +8,9 @@ namespace drench {
 struct Ledger {
     double supplied = 0;    ///< brought by sources
     double held = 0;        ///< in pores and film now
-    double dripped = 0;     ///< fallen off in drops
-    double evaporated = 0;  ///< gone into the air; negative while dry cloth gains from humid air
-    double returned = 0;    ///< given back to a pool
+    double dripped = 0;     ///< fallen off in drops; this version lets none fall
+    double evaporated = 0;  ///< gone into the air; this version does not dry
+    double returned = 0;    ///< given back to a pool; this version has none
 
     /// supplied - held - dripped - evaporated - returned, kg; a few rounding errors of `supplied`.
     double imbalance() const { return supplied - held - dripped - evaporated - returned; }

@@ -22,16 +22,16 @@ class Moisture {
     /// @throws std::invalid_argument for a fabric out of range, or an area that is negative or not finite.
     Moisture(const Fabric& fabric, std::vector<double> areas);
 
-    /// Number of nodes.
+    /// Number of nodes. Every `node` below is an index less than that.
     std::size_t size() const { return areas_.size(); }
 
-    /// Puts `mass` kg of water on the faces of a node.
-    /// @throws std::out_of_range for a node that is not there; std::invalid_argument for a mass that is
-    ///         negative or not finite, or a node without cloth. The sheet is then as before.
+    /// Puts `mass` kg of water, 0 to 1e6, on the faces of a node.
+    /// @throws std::out_of_range for a node that is not there; std::invalid_argument for a mass out of range, or a node
+    ///     without cloth. The sheet is then as before.
     void addFilm(std::size_t node, double mass);
 
     /// Lets the film go into the pores for `dt` seconds: the missing share of each node's pore water falls by
-    /// exp(-dt / wettingTime) as long as its film lasts. Exact for any dt >= 0, so steps may have any length.
+    /// exp(-dt / wettingTime) as long as its film lasts. Any length of step gives the same while the film lasts.
     /// @throws std::invalid_argument for a dt that is negative or not finite.
     void step(double dt);
 

@@ -11,8 +11,8 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Where the four corners of a sheet are, m. The warp (material coordinate u) runs from `origin` to
-/// `warpEnd`, the weft (v) from `origin` to `weftEnd`.
+/// Where the four corners of a sheet are, m. The warp (material coordinate u) runs from `origin` to `warpEnd`, the weft
+/// (v) from `origin` to `weftEnd`.
 struct Corners {
     btVector3 origin;
     btVector3 warpEnd;
@@ -23,24 +23,22 @@ struct Corners {
 /// A parallelogram with one corner and its two sides, m.
 Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const btVector3& weftSide);
 
-/// Makes a grid of nodesWarp x nodesWeft nodes; node (i, j) has index i + j nodesWarp and sits at i /
-/// (nodesWarp - 1) of the way along the warp and j / (nodesWeft - 1) along the weft.
+/// Makes a grid of nodesWarp x nodesWeft nodes; node (i, j) has index i + j nodesWarp and sits at i / (nodesWarp - 1) of
+/// the way along the warp and j / (nodesWeft - 1) along the weft.
 ///
-/// Links: structural along both directions, both diagonals of each cell for shear, and two cells apart for
-/// bending (marked m_bbending). They are ordered in colours, no two links of a colour sharing a node, which
-/// keeps Bullet's sweeps stable. Node masses are those of the dry fabric, the margin a quarter of a cell but
-/// at most 20 mm, the friction that of the fabric on a smooth plate. Stiffness in N/m comes with `WetCloth`;
-/// without one the sheet is an ordinary Bullet patch.
+/// Links: structural along both directions, both diagonals of each cell for shear, and two cells apart for bending
+/// (marked m_bbending). They are ordered in colours, no two links of a colour sharing a node, which keeps Bullet's sweeps
+/// stable. Node masses are those of the dry fabric, the margin a quarter of a cell but at most 20 mm, the friction that of
+/// the dry fabric on a smooth plate. Stiffness in N/m comes with `WetCloth`; without one the sheet is an ordinary patch.
 ///
-/// A voxel size of `worldInfo.m_sparsesdf` that is coarser than a cell is refined to half a cell, as Bullet's
-/// distance field is otherwise too coarse for the sheet to touch anything where it is.
+/// A voxel size of `worldInfo.m_sparsesdf` that is coarser than a cell is refined to half a cell, since with it the sheet
+/// could not touch anything where it is.
 ///
 /// @param worldInfo  of the world that the sheet goes into; must outlive it
 /// @param nodesWarp, nodesWeft  2 to 10,000 each
-/// @return the body; the application adds it to its world and removes it before it lets go
-/// @throws std::invalid_argument for a fabric out of range, a node count out of range, or corners that are
-/// not
-///         finite or enclose no area.
+/// @return the body; the application adds it to its world, and removes it before it lets go
+/// @throws std::invalid_argument for a fabric out of range, a node count out of range, or corners that are not finite or
+///     leave a face without area.
 std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
                                       const Corners& corners, int nodesWarp, int nodesWeft);
 

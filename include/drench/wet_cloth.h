@@ -20,17 +20,21 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Who calls `WetCloth::preSubstep`.
 enum class Stepping {
-    byWorld,  ///< the world, through its pre-tick callback; the application's own callback runs before it
-    byApplication  ///< the application, at the start of each substep; the world's callback stays untouched
+    /// The world, through its pre-tick callback. Set a pre-tick callback of your own before the world's first WetCloth; it
+    /// then runs first in each substep. One set later takes the slot, and the layer sleeps until the next WetCloth.
+    byWorld,
+    /// The application, at the start of each substep. The world's callback stays untouched.
+    byApplication
 };
 
 /// Settings of one sheet in one world.
 struct SheetSettings {
-    /// Material coordinates (u along the warp, v along the weft) of each node, m. Empty: the sheet as it lies
-    /// when attached, flattened onto its best plane, with the warp along the body's first link.
+    /// Material coordinates (u along the warp, v along the weft) of each node, m. Empty: the sheet as it lies when
+    /// attached, which must be nearly flat, seen square to its best plane, with the warp along the body's first link. To
+    /// attach again to a sheet that hangs in folds, give the `materialCoordinates()` of the WetCloth before.
     std::vector<Eigen::Vector2d> materialCoordinates;
 
-    /// How much faster water runs than mechanics, 1; 0 to 1e5. Default 1.
+    /// How much faster water runs than the body's own time, 1; 0 to 1e5. Default 1.
     double waterSpeed = 1;
 
     /// Default: by the world.
@@ -39,54 +43,64 @@ struct SheetSettings {
 
 /// The water of one soft body and what it does to it.
 ///
-/// At the start of each of Bullet's substeps: film goes into the pores, then node masses (with the momentum
-/// that the water brought), link stiffness in N/m and air forces are rewritten from the water. What this
-/// takes over, and gives back when it ends: node masses, rest lengths, link constants, the order of the links
-/// (hard links in mesh order blow up, so they come in colours meanwhile), and the aero model (kDG and kLF are
-/// 0 meanwhile). Pins (inverse mass 0) stay pins and may come and go while running. Everything else of the
-/// body, its user pointer and tags, iterations, damping and contacts, stays the application's.
+/// At the start of each of Bullet's substeps film goes into the pores; then node masses (with the momentum that the
+/// water brought), link stiffness in N/m and air forces are rewritten from the water.
 ///
-/// The stock solver takes stiffness as a compliance in the manner of XPBD (Macklin et al. 2016): for one
-/// sweep in a substep dt and w the sum of a link's inverse masses, m_c0 = max(w, w/2 + 1 / (k dt^2)). Use
-/// m_cfg.piterations = 1 and substeps up to `stepBound`; with longer ones links are too soft, and more sweeps
-/// do not make up for it. In single precision substeps below about 1/2000 s lose gravity to rounding.
+/// What this takes over of the body, and gives back when it ends:
+/// - node masses. Pins (inverse mass 0) stay pins, and may come and go while running;
+/// - link constants, and the rest lengths against a setMass in flight, after which Bullet would reset them;
+/// - the order of the links: hard links in mesh order blow up, so they come in colours meanwhile. Do not reorder them
+///   (randomizeConstraints) while attached;
+/// - the aero model: kDG and kLF are 0 meanwhile;
+/// - the collision shape, replaced by one that knows when the body is deleted. Ask getCollisionShape() for it each time;
+///   its margin and user data carry over.
+/// Everything else, user pointer and tags, iterations, damping and contacts, stays the application's.
 ///
-/// The layer, the body and the world may end in any order. One layer a body; many bodies a world. Not
-/// thread-safe: use it from the thread that steps the world.
+/// How stiff links are: with piterations = 1 (and viterations = diterations = 0), a substep dt, and w the sum of a link's
+/// inverse masses, the layer writes m_c0 = max(w, w/2 + 1 / (k dt^2)), a variant of XPBD (Macklin et al. 2016) that is right
+/// at the end of the sweep. Up to `stepBound` a link has its stiffness of k N/m; beyond it acts softer, by about w dt^2 / 2
+/// beside 1 / k. With n > 1 sweeps m_c0 = w / (1 - (1 + w k dt^2)^(-1/n)); that helps less than n times the substeps. m_kLST
+/// plays no part. In single precision, within a few metres of the origin, substeps below about 1/2000 s lose gravity to
+/// rounding; where `stepBound` is shorter, use double-precision Bullet or a coarser grid, or live with softer links.
+///
+/// The layer, the body and the world may end in any order that Bullet itself allows: also after the body was deleted, or
+/// the world, the layer only stops working. One layer a body, and one world a layer: in another world than its own the
+/// body is not stepped by it. Many bodies a world. Not thread-safe: use it from the thread that steps the world.
+///
+/// Node indices are those of the body; each call that takes one throws std::out_of_range for one that is not there.
 class WetCloth {
   public:
     /// Attaches to a body, in the world or not yet in it.
     /// @param world   that the body is or will be in
-    /// @param sheet   any soft body with faces and links: from `makeSheet`, CreatePatch, CreateFromTriMesh,
-    /// your own
+    /// @param sheet   any soft body with faces and links: from `makeSheet`, CreatePatch, CreateFromTriMesh, your own
     /// @param fabric  its cloth; copied
-    /// @throws std::invalid_argument, with the body as it was, for a fabric or setting out of range; a body
-    /// without
-    ///         faces or with clusters, tetrahedra, a node or link that is not finite, a link of no length, a
-    ///         triangle of no area, or a WetCloth already; a voxel size or margin larger than the sheet's
-    ///         mean link; a plane shape in the world that the sheet can meet; material coordinates that do
-    ///         not fit the body.
+    /// @throws std::invalid_argument, with the body as it was, for a fabric or setting out of range; a body without faces
+    ///     or links, with clusters or tetrahedra, with a node or link that is not finite, a link of no length, a triangle
+    ///     of no area, two faces or links of the same nodes, or with a WetCloth already; a voxel size of its world info, or a
+    ///     margin, larger than its mean link; a plane shape that is in the world now and that its collision filters, once
+    ///     it has any, let it meet; material coordinates that do not fit it.
     WetCloth(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
              const SheetSettings& settings = {});
     ~WetCloth();
     WetCloth(const WetCloth&) = delete;
     WetCloth& operator=(const WetCloth&) = delete;
 
-    /// The air around the sheet; change it as you like between steps.
+    /// The air around the sheet; change it as you like between steps. Wind does not wake a body that sleeps.
     Air& air();
     const Air& air() const;
 
-    /// Puts water on the faces of one node; it takes part from the next substep on.
-    /// @param mass      kg, at least 0
+    /// Puts water on the faces of one node; it takes part from the next substep on, and wakes the body.
+    /// @param mass      kg, 0 to 1e6
     /// @param velocity  of the water as it arrives, m/s; the node takes up its momentum
-    /// @throws as `Moisture::addFilm`; std::invalid_argument for a velocity that is not finite.
+    /// @throws std::invalid_argument for a mass out of range, a velocity that is not finite, or a node without cloth.
     void addWater(int node, double mass, const btVector3& velocity);
 
-    /// Puts water on the faces of one node, arriving with the node's own velocity.
+    /// Puts water on the faces of one node that moves with the node. Otherwise as above.
     void addWater(int node, double mass);
 
-    /// Puts the same water on every part of the cloth, arriving with the cloth's own velocity.
-    /// @param massPerArea  kg per m2 of cloth, at least 0
+    /// Puts the same water on every part of the cloth; it moves with the cloth.
+    /// @param massPerArea  kg per m2 of cloth, 0 to 1000
+    /// @throws std::invalid_argument for a value out of range.
     void soak(double massPerArea);
 
     /// Pore and film water of the whole sheet, kg.
@@ -110,22 +124,22 @@ class WetCloth {
     /// Material coordinates of each node, m.
     const std::vector<Eigen::Vector2d>& materialCoordinates() const;
 
-    /// Longest substep at which, with piterations = 1, the stretch and shear links show their stiffness, s:
-    /// the smallest sqrt(2 / (w k)) over them, as they are now. With longer ones they act softer, by about w
-    /// dt^2 / 2 beside 1 / k.
+    /// Longest substep at which, with piterations = 1, every stretch and shear link has its stiffness, s of the body's own
+    /// time: the smallest sqrt(2 / (w k)) over them, with water as it is now and no pins; infinite if there is none. The
+    /// free corners of a grid set it; the rest of the sheet allows sqrt(2) more.
     double stepBound() const;
 
-    /// Does the layer's work for a substep of `dt` seconds that is about to begin. Only for
-    /// `Stepping::byApplication`; otherwise the world calls it. Nothing happens while the body is in no world
-    /// or no longer exists.
-    /// @throws std::invalid_argument for a dt that is not positive and finite; std::runtime_error if a
-    /// position or
-    ///         velocity of the body, or the wind, is not finite, or if its nodes, links or faces have changed
-    ///         in number. Bullet is then spared the step's changes.
+    /// Does the layer's work for a substep of `dt` seconds that is about to begin. Only for `Stepping::byApplication`;
+    /// otherwise the world calls it and its errors come out of stepSimulation: Bullet's step is then left undone, other
+    /// sheets may have had theirs, and world.clearForces() is due before the next. Does nothing while the body is in no
+    /// world or no longer exists.
+    /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive and finite;
+    ///     std::runtime_error if a position or velocity of the body, its timescale or the wind is not finite, or if its
+    ///     nodes, links or faces have changed in number. The body is then as before the call.
     void preSubstep(btScalar dt);
 
   private:
-    class Layer;
+    struct Layer;
     std::unique_ptr<Layer> layer_;
 };
 

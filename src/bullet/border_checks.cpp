@@ -3,7 +3,9 @@
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -89,11 +91,11 @@ void checkBody(const btSoftBody& body) {
 
 void checkWorld(btSoftRigidDynamicsWorld& world, const btSoftBody& body, const RestShape& shape) {
     const double link = meanLinkLength(shape);
-    const double voxel = double(world.getWorldInfo().m_sparsesdf.voxelsz);
+    const double voxel = double(body.m_worldInfo->m_sparsesdf.voxelsz);
     if (voxel > link)
-        refuse("the world's distance field has voxels of ", voxel,
+        refuse("the distance field of the body's world info has voxels of ", voxel,
                " m, coarser than the sheet's mean link of ", link,
-               " m; call world.getWorldInfo().m_sparsesdf.setDefaultVoxelsz(", link / 2,
+               " m; call body.getWorldInfo()->m_sparsesdf.setDefaultVoxelsz(", link / 2,
                ") and then m_sparsesdf.Reset()");
     const double margin = double(body.getCollisionShape()->getMargin());
     if (margin > link)
@@ -107,6 +109,25 @@ void checkWorld(btSoftRigidDynamicsWorld& world, const btSoftBody& body, const R
                 "collision object ", i,
                 " is a plane shape, above which Bullet lets soft bodies float by a tenth of a metre; use a "
                 "btBoxShape for the ground, or filter the pair out");
+    }
+}
+
+void checkDuplicates(const RestShape& shape) {
+    std::set<std::array<int, 3>> faces;
+    for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
+        std::array<int, 3> nodes = shape.triangles[t];
+        std::sort(nodes.begin(), nodes.end());
+        if (!faces.insert(nodes).second)
+            refuse("face ", t, " joins the nodes ", nodes[0], ", ", nodes[1], " and ", nodes[2],
+                   ", as an earlier one does; a sheet is two-sided already, remove the double");
+    }
+    std::set<std::array<int, 2>> links;
+    for (std::size_t i = 0; i < shape.links.size(); ++i) {
+        std::array<int, 2> nodes = shape.links[i].nodes;
+        std::sort(nodes.begin(), nodes.end());
+        if (!links.insert(nodes).second)
+            refuse("link ", i, " joins the nodes ", nodes[0], " and ", nodes[1],
+                   ", as an earlier one does; it would be twice as stiff, remove the double");
     }
 }
 
@@ -132,8 +153,9 @@ void checkShape(const RestShape& shape, const std::vector<Eigen::Vector2d>& mate
         const double length = (materialCoordinates[static_cast<std::size_t>(nodes[0])] -
                                materialCoordinates[static_cast<std::size_t>(nodes[1])])
                                   .norm();
-        if (!(shape.restLengths[i] > 0) || !(length > 0))
-            refuse("link ", i, " between nodes ", nodes[0], " and ", nodes[1], " has no length; remove it");
+        if (!(shape.restLengths[i] > 0) || !std::isfinite(shape.restLengths[i]) || !(length > 0))
+            refuse("link ", i, " between nodes ", nodes[0], " and ", nodes[1], " has a rest length of ",
+                   shape.restLengths[i], " m; remove it, or set its nodes apart");
     }
 }
 

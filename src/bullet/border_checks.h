@@ -22,6 +22,10 @@ void checkBody(const btSoftBody& body);
 /// @throws std::invalid_argument
 void checkWorld(btSoftRigidDynamicsWorld& world, const btSoftBody& body, const RestShape& shape);
 
+/// Refuses two faces of the same nodes, and two links of the same nodes: each would count twice.
+/// @throws std::invalid_argument
+void checkDuplicates(const RestShape& shape);
+
 /// Refuses links of no length, and material coordinates that are not one finite pair a node or in which a
 /// triangle has less than a third or more than three times its area.
 /// @throws std::invalid_argument

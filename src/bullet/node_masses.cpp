@@ -5,10 +5,12 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 void takeUpMomentum(btSoftBody& body, const std::vector<double>& masses, std::vector<Arrival>& arrivals) {
     for (std::size_t n = 0; n < arrivals.size(); ++n) {
-        if (arrivals[n].mass == 0) continue;
+        const Arrival& arrival = arrivals[n];
         btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-        const btScalar mass = btScalar(masses[n]), arrived = btScalar(arrivals[n].mass);
-        if (node.m_im > 0) node.m_v = (node.m_v * mass + arrivals[n].momentum) / (mass + arrived);
+        if (arrival.mass > 0 && node.m_im > 0) {
+            const double before = masses[n] + arrival.carried;
+            node.m_v = (node.m_v * btScalar(before) + arrival.momentum) / btScalar(before + arrival.mass);
+        }
         arrivals[n] = Arrival();
     }
 }

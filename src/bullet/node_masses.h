@@ -12,8 +12,9 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Water that has reached a node since the last substep.
 struct Arrival {
-    double mass = 0;                          // kg
-    btVector3 momentum = btVector3(0, 0, 0);  // kg m/s
+    double carried = 0;                       // kg that move with the node, whatever its velocity
+    double mass = 0;                          // kg that came with a velocity of their own
+    btVector3 momentum = btVector3(0, 0, 0);  // of these, kg m/s
 };
 
 /// Lets each free node take up the momentum of the water that arrived: v <- (m v + dm u) / (m + dm). Water

@@ -21,9 +21,9 @@ class PreTickListener {
 /// if it has one, and after listeners that came earlier. The world's user info stays as it is.
 void listenToPreTick(btDynamicsWorld& world, PreTickListener& listener);
 
-/// Ends that. With `worldIsAlive` the world is given back its own callback once its last listener leaves;
-/// without, the world is not touched, and should it still step, only the application's callback runs.
-void stopListeningToPreTick(btDynamicsWorld& world, PreTickListener& listener, bool worldIsAlive);
+/// Ends that, also from within a callback. The world is not touched, as it may be gone; should it still step,
+/// its slot holds a callback that calls the application's own and nothing else.
+void stopListeningToPreTick(btDynamicsWorld& world, PreTickListener& listener);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

@@ -8,11 +8,6 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-void rebuildFaceTree(btSoftBody& body) {
-    body.m_fdbvt.clear();
-    if (body.m_cfg.collisions & btSoftBody::fCollision::VF_SS) body.initializeFaceTree();
-}
-
 double currentArea(const btSoftBody::Face& face) {
     const btVector3& origin = face.m_n[0]->m_x;
     return 0.5 * double((face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin).length());
@@ -28,10 +23,13 @@ void prime(btSoftBody& body) {
     if (!body.m_bUpdateRtCst) return;
     body.m_bUpdateRtCst = false;
     body.updateConstants();
-    rebuildFaceTree(body);
 }
 
-void keepRestLengths(btSoftBody& body, const RestShape& shape) {
+void keepPrimed(btSoftBody& body, const RestShape& shape) {
+    // Bullet makes the tree while it primes, which it no longer does.
+    const bool wantsFaceTree = (body.m_cfg.collisions & btSoftBody::fCollision::VF_SS) != 0;
+    if (wantsFaceTree && body.m_fdbvt.empty()) body.initializeFaceTree();
+
     if (!body.m_bUpdateRtCst) return;
     body.m_bUpdateRtCst = false;
     for (int i = 0; i < body.m_links.size(); ++i) {
@@ -39,7 +37,6 @@ void keepRestLengths(btSoftBody& body, const RestShape& shape) {
         link.m_rl = shape.restLengths[static_cast<std::size_t>(i)] * body.m_restLengthScale;
         link.m_c1 = link.m_rl * link.m_rl;
     }
-    rebuildFaceTree(body);
 }
 
 RestShape restShapeOf(const btSoftBody& body) {

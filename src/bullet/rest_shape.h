@@ -27,13 +27,13 @@ inline int indexOf(const btSoftBody& body, const btSoftBody::Node* node) {
 }
 
 /// What Bullet does at the first step of a body that waits to be primed, now: rest lengths, link constants
-/// and areas from the shape as it is, and the face tree if soft-soft contacts need one. Does nothing for any
-/// other body.
+/// and areas from the shape as it is. Does nothing for any other body.
 void prime(btSoftBody& body);
 
 /// Makes Bullet forget a request to prime the body again, which setMass leaves behind and which would take
-/// the stretched links of the moment for rest.
-void keepRestLengths(btSoftBody& body, const RestShape& shape);
+/// the stretched links of the moment for rest; and makes the face tree that soft-soft contacts need, which
+/// comes with priming.
+void keepPrimed(btSoftBody& body, const RestShape& shape);
 
 /// Read from what Bullet keeps, or, for a body that still waits to be primed, from where its nodes are.
 /// Changes nothing.

@@ -10,61 +10,15 @@
 #include "body_watch.h"
 #include "border_checks.h"
 #include "link_constants.h"
-#include "link_order.h"
 #include "node_masses.h"
 #include "pre_tick.h"
 #include "rest_shape.h"
+#include "taken_over.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
-
-/// What the layer takes over of a body and gives back.
-struct TakenOver {
-    std::vector<btScalar> inverseMasses;
-    std::vector<btScalar> linkConstants;  // in the layer's order
-    std::vector<int> linkOrder;           // the application's link at each place
-    btScalar dragCoefficient = 0;
-    btScalar liftCoefficient = 0;
-};
-
-std::vector<int> orderOfColours(const RestShape& shape) {
-    std::vector<std::array<int, 2>> links;
-    links.reserve(shape.links.size());
-    for (const LinkNodes& link : shape.links) links.push_back(link.nodes);
-    return colouredOrder(links, static_cast<int>(shape.nodeAreas.size()));
-}
-
-TakenOver takeOver(btSoftBody& body, const RestShape& shape) {
-    TakenOver taken;
-    taken.linkOrder = orderOfColours(shape);
-    reorderLinks(body, taken.linkOrder);
-    for (int n = 0; n < body.m_nodes.size(); ++n) taken.inverseMasses.push_back(body.m_nodes[n].m_im);
-    for (int i = 0; i < body.m_links.size(); ++i) taken.linkConstants.push_back(body.m_links[i].m_c0);
-    taken.dragCoefficient = body.m_cfg.kDG;
-    taken.liftCoefficient = body.m_cfg.kLF;
-    body.m_cfg.kDG = 0;
-    body.m_cfg.kLF = 0;
-    return taken;
-}
-
-void giveBack(btSoftBody& body, const TakenOver& taken) {
-    const int nodes = std::min(body.m_nodes.size(), static_cast<int>(taken.inverseMasses.size()));
-    for (int n = 0; n < nodes; ++n) {
-        btScalar& inverseMass = body.m_nodes[n].m_im;
-        // A pin that the application set or took out in the meantime is its decision.
-        const btScalar before = taken.inverseMasses[static_cast<std::size_t>(n)];
-        if ((inverseMass > 0) == (before > 0)) inverseMass = before;
-    }
-    if (body.m_links.size() == static_cast<int>(taken.linkConstants.size())) {
-        for (int i = 0; i < body.m_links.size(); ++i)
-            body.m_links[i].m_c0 = taken.linkConstants[static_cast<std::size_t>(i)];
-        reorderLinks(body, inverseOrder(taken.linkOrder));
-    }
-    body.m_cfg.kDG = taken.dragCoefficient;
-    body.m_cfg.kLF = taken.liftCoefficient;
-}
 
 double checkedWaterSpeed(double waterSpeed) {
     if (waterSpeed >= 0 && waterSpeed <= 1e5) return waterSpeed;
@@ -75,6 +29,7 @@ double checkedWaterSpeed(double waterSpeed) {
 RestShape checkedShape(btSoftRigidDynamicsWorld& world, const btSoftBody& body) {
     checkBody(body);
     RestShape shape = restShapeOf(body);
+    checkDuplicates(shape);
     checkWorld(world, body, shape);
     return shape;
 }
@@ -89,44 +44,38 @@ std::vector<Eigen::Vector2d> checkedCoordinates(const std::vector<Eigen::Vector2
 }  // namespace
 
 /// Everything behind a WetCloth, in the order of the step.
-class WetCloth::Layer final : public PreTickListener {
-  public:
+struct WetCloth::Layer final : PreTickListener {
     Layer(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
           const SheetSettings& settings);
     ~Layer();
     Layer(const Layer&) = delete;
     Layer& operator=(const Layer&) = delete;
 
-    void addWater(int node, double mass, const btVector3& velocity);
-    void preTick(btScalar dt) override { substep(dt); }
+    std::size_t checkedNode(int node) const;
+    void receive(std::size_t node, double mass);
+    void preTick(btScalar dt) override;
     void substep(btScalar dt);
+    void checkBeforeStep(btScalar dt) const;
+    void evaluateLaws();
 
-    Air air;
-
-    btSoftRigidDynamicsWorld& world;
-    btSoftBody& body;
+    btSoftRigidDynamicsWorld& world;  // known to exist during its own pre-tick only
+    btSoftBody& body;                 // exists while the watch says so
     const Stepping stepping;
     const double waterSpeed;
+    Air air;
 
     RestShape shape;
     std::vector<Eigen::Vector2d> coordinates;
     WetLaws laws;
+    Moisture moisture;
+    BodyWatch watch;
+    TakenOver taken;
     std::vector<LinkStiffness> dryStiffness;
 
-    Moisture moisture;
     std::vector<Arrival> arrivals;    // since the last substep
     std::vector<double> masses;       // kg, as last written to the body
     std::vector<double> saturations;  // as of this substep
     std::vector<double> stiffness;    // N/m, of each link, as of this substep
-
-    BodyWatch watch;
-    TakenOver taken;
-
-    bool bodyIsInWorld() const { return watch.bodyIsAlive() && body.getBroadphaseHandle() != nullptr; }
-
-  private:
-    void checkBeforeStep(btScalar dt) const;
-    void evaluateLaws();
 };
 
 WetCloth::Layer::Layer(btSoftRigidDynamicsWorld& aWorld, btSoftBody& sheet, const Fabric& fabric,
@@ -139,43 +88,68 @@ WetCloth::Layer::Layer(btSoftRigidDynamicsWorld& aWorld, btSoftBody& sheet, cons
       coordinates(checkedCoordinates(settings.materialCoordinates, body, shape)),
       laws(fabric),
       moisture(fabric, shape.nodeAreas),
+      // From here on nothing refuses, and the body may change.
+      watch(body),
+      taken(body, shape),
+      dryStiffness(linkStiffness(fabric, coordinates, shape.triangles, shape.links)),
       arrivals(shape.nodeAreas.size()),
       masses(shape.nodeAreas.size()),
       saturations(shape.nodeAreas.size()),
-      stiffness(shape.links.size()),
-      watch(body) {
-    prime(body);
-    taken = takeOver(body, shape);
-    shape = restShapeOf(body);  // the links have changed places
-    dryStiffness = linkStiffness(fabric, coordinates, shape.triangles, shape.links);
+      stiffness(shape.links.size()) {
     evaluateLaws();
     writeMasses(body, masses);
+    body.updateLinkConstants();  // fit for the masses, until the first substep brings those of the fabric
     if (stepping == Stepping::byWorld) listenToPreTick(world, *this);
 }
 
 WetCloth::Layer::~Layer() {
-    // A body in a world proves that the world still exists: a world that ends puts out the handles of its
-    // bodies.
-    if (stepping == Stepping::byWorld) stopListeningToPreTick(world, *this, bodyIsInWorld());
-    if (watch.bodyIsAlive()) giveBack(body, taken);
+    if (stepping == Stepping::byWorld) stopListeningToPreTick(world, *this);
+    if (!watch.bodyIsAlive()) return;
+    std::vector<double> dryMasses;
+    for (const double area : shape.nodeAreas) dryMasses.push_back(laws.mass(area, 0));
+    taken.giveBack(body, dryMasses);
 }
 
-void WetCloth::Layer::addWater(int node, double mass, const btVector3& velocity) {
-    if (!std::isfinite(velocity.x()) || !std::isfinite(velocity.y()) || !std::isfinite(velocity.z()))
-        throw std::invalid_argument("drench: water for node " + std::to_string(node) +
-                                    " arrives with a velocity that is not finite; give m/s");
-    const auto n =
-        static_cast<std::size_t>(node);  // a negative node becomes too large, which addFilm refuses
-    moisture.addFilm(n, mass);
-    arrivals[n].mass += mass;
-    arrivals[n].momentum += velocity * btScalar(mass);
+std::size_t WetCloth::Layer::checkedNode(int node) const {
+    if (node >= 0 && node < static_cast<int>(masses.size())) return static_cast<std::size_t>(node);
+    throw std::out_of_range("drench: node " + std::to_string(node) + " of a sheet with " +
+                            std::to_string(masses.size()) + " nodes; give 0 to " +
+                            std::to_string(masses.size() - 1));
+}
+
+void WetCloth::Layer::receive(std::size_t node, double mass) {
+    moisture.addFilm(node, mass);
     if (mass > 0 && watch.bodyIsAlive()) body.activate();
+}
+
+void WetCloth::Layer::preTick(btScalar dt) {
+    const auto& bodies = world.getSoftBodyArray();
+    if (watch.bodyIsAlive() && bodies.findLinearSearch(&body) < bodies.size()) substep(dt);
+}
+
+void WetCloth::Layer::substep(btScalar dt) {
+    checkBeforeStep(dt);
+    keepPrimed(body, shape);
+    taken.silenceAero(body);
+    const double bodyStep = double(dt) * double(body.m_cfg.timescale);
+
+    moisture.step(bodyStep * waterSpeed);
+    takeUpMomentum(body, masses, arrivals);
+
+    evaluateLaws();
+    writeMasses(body, masses);
+    writeLinkConstants(body, stiffness, bodyStep);
+    // Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
+    if (body.isActive()) addAirForces(body, shape, laws, air, masses, saturations, bodyStep);
 }
 
 void WetCloth::Layer::checkBeforeStep(btScalar dt) const {
     if (!(dt > 0) || !std::isfinite(dt))
         throw std::invalid_argument("drench: a substep of " + std::to_string(dt) +
                                     " s; give a positive finite time");
+    if (!(body.m_cfg.timescale > 0) || !std::isfinite(body.m_cfg.timescale))
+        throw std::runtime_error("drench: the body's m_cfg.timescale is " +
+                                 std::to_string(body.m_cfg.timescale) + "; give a positive number");
     if (!air.wind.allFinite())
         throw std::runtime_error("drench: the wind is not finite; mend WetCloth::air().wind");
     if (body.m_nodes.size() != static_cast<int>(masses.size()) ||
@@ -209,22 +183,6 @@ void WetCloth::Layer::evaluateLaws() {
     }
 }
 
-void WetCloth::Layer::substep(btScalar dt) {
-    if (!bodyIsInWorld()) return;
-    checkBeforeStep(dt);
-    keepRestLengths(body, shape);
-
-    moisture.step(double(dt) * waterSpeed);
-    takeUpMomentum(body, masses, arrivals);
-
-    evaluateLaws();
-    writeMasses(body, masses);
-    const double bodyStep = double(dt) * double(body.m_cfg.timescale);
-    writeLinkConstants(body, stiffness, bodyStep);
-    // Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
-    if (body.isActive()) addAirForces(body, shape, laws, air, masses, saturations, bodyStep);
-}
-
 WetCloth::WetCloth(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
                    const SheetSettings& settings)
     : layer_(std::make_unique<Layer>(world, sheet, fabric, settings)) {}
@@ -239,22 +197,32 @@ const Air& WetCloth::air() const {
 }
 
 void WetCloth::addWater(int node, double mass, const btVector3& velocity) {
-    layer_->addWater(node, mass, velocity);
+    if (!std::isfinite(velocity.x()) || !std::isfinite(velocity.y()) || !std::isfinite(velocity.z()))
+        throw std::invalid_argument("drench: water for node " + std::to_string(node) +
+                                    " arrives with a velocity that is not finite; give m/s");
+    const std::size_t n = layer_->checkedNode(node);
+    layer_->receive(n, mass);
+    layer_->arrivals[n].mass += mass;
+    layer_->arrivals[n].momentum += velocity * btScalar(mass);
 }
 
 void WetCloth::addWater(int node, double mass) {
-    const bool known = layer_->watch.bodyIsAlive() && node >= 0 && node < layer_->body.m_nodes.size();
-    layer_->addWater(node, mass, known ? layer_->body.m_nodes[node].m_v : btVector3(0, 0, 0));
+    const std::size_t n = layer_->checkedNode(node);
+    layer_->receive(n, mass);
+    layer_->arrivals[n].carried += mass;
 }
 
 void WetCloth::soak(double massPerArea) {
-    for (std::size_t n = 0; n < layer_->masses.size(); ++n)
+    if (!(massPerArea >= 0 && massPerArea <= 1e3))
+        throw std::invalid_argument("drench: soaking with " + std::to_string(massPerArea) +
+                                    " kg/m2; give a value from 0 to 1000");
+    for (std::size_t n = 0; n < layer_->shape.nodeAreas.size(); ++n)
         if (layer_->shape.nodeAreas[n] > 0)
             addWater(static_cast<int>(n), massPerArea * layer_->shape.nodeAreas[n]);
 }
 
 double WetCloth::waterMass() const {
-    return layer_->moisture.totalPoreMass() + layer_->moisture.totalFilmMass();
+    return layer_->moisture.ledger().held;
 }
 
 double WetCloth::dryMass() const {
@@ -264,23 +232,23 @@ double WetCloth::dryMass() const {
 }
 
 double WetCloth::nodeMass(int node) const {
-    const auto n = static_cast<std::size_t>(node);
+    const std::size_t n = layer_->checkedNode(node);
     const Moisture& water = layer_->moisture;
     return layer_->laws.mass(water.area(n), water.poreMass()[n] + water.filmMass()[n]);
 }
 
 double WetCloth::saturation(int node) const {
-    return layer_->moisture.saturation(static_cast<std::size_t>(node));
+    return layer_->moisture.saturation(layer_->checkedNode(node));
 }
 double WetCloth::content(int node) const {
-    return layer_->moisture.content(static_cast<std::size_t>(node));
+    return layer_->moisture.content(layer_->checkedNode(node));
 }
 Colour WetCloth::albedo(int node) const {
     return layer_->laws.albedo(saturation(node));
 }
 
 double WetCloth::gloss(int node) const {
-    return WetLaws::gloss(layer_->moisture.filmThickness(static_cast<std::size_t>(node)));
+    return WetLaws::gloss(layer_->moisture.filmThickness(layer_->checkedNode(node)));
 }
 
 const Moisture& WetCloth::moisture() const {
@@ -310,7 +278,7 @@ void WetCloth::preSubstep(btScalar dt) {
             "drench: preSubstep is the application's to call only with Stepping::byApplication; this "
             "WetCloth is "
             "stepped by its world");
-    layer_->substep(dt);
+    if (layer_->watch.bodyIsAlive() && layer_->body.getBroadphaseHandle()) layer_->substep(dt);
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -31,9 +31,10 @@ void Moisture::addFilm(std::size_t node, double mass) {
     if (node >= size())
         throw std::out_of_range("drench: node " + std::to_string(node) + " of a sheet with " +
                                 std::to_string(size()) + " nodes; give 0 to " + std::to_string(size() - 1));
-    if (!(mass >= 0) || !std::isfinite(mass))
+    constexpr double most = 1e6;  // keeps sums finite in single-precision Bullet
+    if (!(mass >= 0 && mass <= most))
         throw std::invalid_argument("drench: " + std::to_string(mass) + " kg of water for node " +
-                                    std::to_string(node) + "; give a finite mass of at least 0 kg");
+                                    std::to_string(node) + "; give a mass from 0 to 1e6 kg");
     if (areas_[node] == 0)
         throw std::invalid_argument("drench: node " + std::to_string(node) +
                                     " belongs to no triangle and has no cloth to wet");

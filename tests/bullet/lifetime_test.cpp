@@ -61,6 +61,61 @@ TEST(PreTick, ACallbackThatTheApplicationSetsLaterIsTakenUpByTheNextLayer) {
     rig.world().removeSoftBody(second.get());
 }
 
+// An application that finds our callback in the slot and puts its own before it.
+btInternalTickCallback callbackFoundInTheSlot = nullptr;
+int callsBefore = 0;
+
+void callbackThatChainsOn(btDynamicsWorld* world, btScalar dt) {
+    ++callsBefore;
+    callbackFoundInTheSlot(world, dt);
+}
+
+struct Slot : btDynamicsWorld {
+    static btInternalTickCallback of(btDynamicsWorld& world) {
+        return world.*(&Slot::m_internalPreTickCallback);
+    }
+};
+
+TEST(PreTick, AnApplicationMayChainOntoTheLayerAndThenMakeAnother) {
+    test::SheetWorld rig(test::smallSheet);
+    const auto second = test::smallSheet(rig.world().getWorldInfo());
+    rig.world().addSoftBody(second.get());
+    Application application;
+    callsBefore = 0;
+    rig.world().setInternalTickCallback(applicationCallback, &application, preTick);
+    WetCloth first(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    callbackFoundInTheSlot = Slot::of(rig.world());
+    rig.world().setInternalTickCallback(callbackThatChainsOn, &application, preTick);
+    first.soak(0.1);
+    rig.bullet().step(0.1, 10);
+    EXPECT_EQ(callsBefore, 10);
+    EXPECT_EQ(application.calls, 10);
+    WetCloth later(rig.world(), *second, fabrics::cottonPlain());
+    later.soak(0.1);
+    rig.bullet().step(0.1, 10);
+    EXPECT_EQ(callsBefore, 20);
+    EXPECT_EQ(application.calls, 20);
+    EXPECT_NEAR(first.moisture().totalPoreMass(), 2 * later.moisture().totalPoreMass(),
+                0.15 * first.waterMass());
+    rig.world().removeSoftBody(second.get());
+}
+
+std::unique_ptr<WetCloth>* clothToEnd = nullptr;
+
+void callbackThatEndsTheLayer(btDynamicsWorld*, btScalar) {
+    clothToEnd->reset();
+}
+
+TEST(PreTick, ALayerMayEndWithinTheApplicationsCallback) {
+    test::SheetWorld rig(test::smallSheet);
+    rig.world().setInternalTickCallback(callbackThatEndsTheLayer, nullptr, preTick);
+    auto cloth = std::make_unique<WetCloth>(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    clothToEnd = &cloth;
+    rig.bullet().step(0.1, 10);
+    EXPECT_EQ(cloth, nullptr);
+    EXPECT_TRUE(test::isFinite(rig.sheet()));
+}
+
 /// The three things whose order of ending is free. Each ends once.
 struct Ending {
     std::unique_ptr<demo::BulletWorld> world = std::make_unique<demo::BulletWorld>();
@@ -139,6 +194,29 @@ TEST(Lifetime, ABodyThatLeavesAndComesBackGoesOn) {
     end.world->step(0.1, 10);
     EXPECT_GT(end.cloth->moisture().totalPoreMass(), before);
     end.removeBody();
+}
+
+TEST(Lifetime, ABodyInAnotherWorldIsNotSteppedByItsOld) {
+    Ending end;
+    demo::BulletWorld other;
+    end.removeBody();
+    end.body->m_worldInfo = &other.world().getWorldInfo();
+    other.world().addSoftBody(end.body.get());
+    const double before = end.cloth->moisture().totalPoreMass();
+    end.world->step(0.1, 10);
+    other.step(0.1, 10);
+    EXPECT_EQ(end.cloth->moisture().totalPoreMass(), before);
+    end.world.reset();
+    end.cloth.reset();  // the body's world lives, the layer's does not
+    other.step(0.1, 10);
+    other.world().removeSoftBody(end.body.get());
+}
+
+// Ends after every static object of the library's.
+std::unique_ptr<Ending> endsWithTheProgram;
+
+TEST(Lifetime, ALayerMayEndWithTheProgram) {
+    endsWithTheProgram = std::make_unique<Ending>();
 }
 
 TEST(Lifetime, AWorldThatOutlivesAnUnhookedLayerStillCallsTheApplication) {

@@ -64,6 +64,26 @@ TEST(Refusal, BodiesThatAreNoCloth) {
     EXPECT_CONTAINS(refusal(bullet, *doubled), "no area");
 }
 
+TEST(Refusal, WhatWouldCountTwice) {
+    demo::BulletWorld bullet;
+    btSoftBodyWorldInfo& info = bullet.world().getWorldInfo();
+    const auto backFaces = test::smallSheet(info);
+    const auto nodeOf = [&](int corner) {
+        return int(backFaces->m_faces[0].m_n[corner] - &backFaces->m_nodes[0]);
+    };
+    backFaces->appendFace(nodeOf(2), nodeOf(1), nodeOf(0));
+    EXPECT_CONTAINS(refusal(bullet, *backFaces), "as an earlier one does");
+    const auto doubled = test::smallSheet(info);
+    doubled->appendLink(1, 0);
+    EXPECT_CONTAINS(refusal(bullet, *doubled), "twice as stiff");
+    const auto endless = test::smallSheet(info);
+    bullet.world().addSoftBody(endless.get());
+    bullet.step(0.01, 1);
+    endless->m_links[4].m_rl = std::numeric_limits<btScalar>::infinity();
+    EXPECT_CONTAINS(refusal(bullet, *endless), "link 4");
+    bullet.world().removeSoftBody(endless.get());
+}
+
 TEST(Refusal, WorldsInWhichTheSheetFloatsOrSinks) {
     demo::BulletWorld bullet;
     btSoftBodyWorldInfo& info = bullet.world().getWorldInfo();
@@ -72,6 +92,12 @@ TEST(Refusal, WorldsInWhichTheSheetFloatsOrSinks) {
     info.m_sparsesdf.setDefaultVoxelsz(btScalar(0.25));
     info.m_sparsesdf.Reset();
     EXPECT_CONTAINS(refusal(bullet, *sheet), "setDefaultVoxelsz");
+    {  // a body with a world info of its own, which is the one that Bullet looks into
+        btSoftBodyWorldInfo own;
+        own.m_sparsesdf.Initialize();
+        const auto other = test::smallSheet(own);
+        const WetCloth cloth(bullet.world(), *other, fabrics::cottonPlain());
+    }
     info.m_sparsesdf.setDefaultVoxelsz(btScalar(0.02));
     info.m_sparsesdf.Reset();
 

@@ -63,6 +63,11 @@ TEST(MakeSheet, RefusesWhatIsNoSheet) {
     EXPECT_THROW(makeSheet(info, cotton, good, 10, 10001), std::invalid_argument);
     EXPECT_THROW(makeSheet(info, cotton, flatCorners({0, 0, 0}, {1, 0, 0}, {2, 0, 0}), 10, 10),
                  std::invalid_argument);
+    for (const btVector3& where : {good.origin, good.warpEnd, good.weftEnd}) {
+        Corners folded = good;
+        folded.opposite = where;
+        EXPECT_THROW(makeSheet(info, cotton, folded, 2, 2), std::invalid_argument);
+    }
     Corners notFinite = good;
     notFinite.opposite.setX(std::numeric_limits<btScalar>::quiet_NaN());
     EXPECT_THROW(makeSheet(info, cotton, notFinite, 10, 10), std::invalid_argument);

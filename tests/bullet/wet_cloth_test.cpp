@@ -179,6 +179,101 @@ TEST(WetCloth, ArrivingWaterBringsItsMomentum) {
     bullet.world().removeSoftBody(sheet.get());
 }
 
+TEST(WetCloth, WaterThatMovesWithTheClothLeavesItsVelocityAlone) {
+    demo::BulletWorld bullet;
+    bullet.world().getWorldInfo().m_gravity.setZero();
+    const auto sheet = makeSheet(bullet.world().getWorldInfo(), fabrics::cottonPlain(),
+                                 flatCorners({0, 0, 0}, {1, 0, 0}, {0, 0, 1}), 11, 11);
+    bullet.world().addSoftBody(sheet.get());
+    SheetSettings settings;
+    settings.stepping = Stepping::byApplication;
+    WetCloth cloth(bullet.world(), *sheet, fabrics::cottonPlain(), settings);
+    cloth.soak(0.3);
+    cloth.addWater(60, 1e-3, {0, 2, 0});
+    sheet->setVelocity({3, 0, 0});  // after the water was put on, before it takes part
+    cloth.preSubstep(btScalar(1.0 / 240));
+    EXPECT_EQ(sheet->m_nodes[40].m_v.x(), 3);
+    const double carried = 0.45 * 0.01;  // cloth and soaked water of a 10 cm cell
+    EXPECT_NEAR(sheet->m_nodes[60].m_v.x(), 3 * carried / (carried + 1e-3), 1e-5);
+    EXPECT_NEAR(sheet->m_nodes[60].m_v.y(), 2e-3 / (carried + 1e-3), 1e-5);
+    bullet.world().removeSoftBody(sheet.get());
+}
+
+TEST(WetCloth, PinsFreedWhileItRunsAreGivenBackWhole) {
+    SheetWorld rig(test::smallSheet);
+    {
+        WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+        cloth.soak(0.2);
+        rig.bullet().step(0.1, 40);
+        for (int i = 0; i < 9; ++i) rig.sheet().m_nodes[i].m_im = 1;
+        rig.bullet().step(0.1, 40);
+    }
+    for (int i = 0; i < rig.sheet().m_links.size(); ++i) {
+        const btSoftBody::Link& link = rig.sheet().m_links[i];
+        EXPECT_NEAR(link.m_c0, link.m_n[0]->m_im + link.m_n[1]->m_im, 1e-3 * link.m_c0) << i;
+    }
+    EXPECT_NEAR(test::mass(rig.sheet().m_nodes[5]), 0.150 * 0.5 * 0.5 / 256 / 2, 1e-9);  // dry; on the border
+}
+
+TEST(WetCloth, ALayerThatNoOneStepsLeavesAnOrdinaryBody) {
+    SheetWorld rig(test::patch);
+    SheetSettings settings;
+    settings.stepping = Stepping::byApplication;
+    const WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain(), settings);
+    rig.bullet().step(2, 2000);
+    EXPECT_TRUE(test::isFinite(rig.sheet()));
+    EXPECT_LT(test::largestStrain(rig.sheet()), 1);
+}
+
+TEST(WetCloth, SoftSoftContactsMayBeSwitchedOnAfterwards) {
+    demo::BulletWorld bullet;
+    btSoftBodyWorldInfo& info = bullet.world().getWorldInfo();
+    const auto level = [&](double y) {
+        return makeSheet(info, fabrics::cottonPlain(),
+                         flatCorners({0, btScalar(y), 0}, {btScalar(0.4), 0, 0}, {0, 0, btScalar(0.4)}), 17,
+                         17);
+    };
+    const auto lower = level(1), upper = level(1.05);
+    for (int n = 0; n < lower->m_nodes.size(); ++n) lower->m_nodes[n].m_im = 0;
+    bullet.world().addSoftBody(lower.get());
+    bullet.world().addSoftBody(upper.get());
+    {
+        WetCloth a(bullet.world(), *lower, fabrics::cottonPlain()),
+            b(bullet.world(), *upper, fabrics::cottonPlain());
+        lower->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
+        upper->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
+        bullet.step(0.5, 120);
+        EXPECT_GT(upper->m_nodes[8 + 17 * 8].m_x.y(), 0.98);
+    }
+    bullet.world().removeSoftBody(lower.get());
+    bullet.world().removeSoftBody(upper.get());
+}
+
+TEST(WetCloth, AeroThatTheApplicationSetsLaterIsNotDoubledAndNotLost) {
+    SheetWorld rig(test::smallSheet);
+    {
+        WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+        rig.sheet().m_cfg.kDG = btScalar(0.7);
+        rig.bullet().step(0.02, 2);
+        EXPECT_EQ(rig.sheet().m_cfg.kDG, 0);
+    }
+    EXPECT_EQ(rig.sheet().m_cfg.kDG, btScalar(0.7));
+}
+
+TEST(WetCloth, WaterFollowsTheBodysOwnTime) {
+    SheetWorld slow(test::smallSheet), usual(test::smallSheet);
+    slow.sheet().m_cfg.timescale = btScalar(0.25);
+    WetCloth slowCloth(slow.world(), slow.sheet(), fabrics::cottonPlain());
+    WetCloth usualCloth(usual.world(), usual.sheet(), fabrics::cottonPlain());
+    slowCloth.soak(1);
+    usualCloth.soak(1);
+    slow.bullet().step(1.0, 240);
+    usual.bullet().step(0.25, 60);
+    EXPECT_NEAR(slowCloth.saturation(100), usualCloth.saturation(100), 1e-5);
+    slow.sheet().m_cfg.timescale = 0;
+    EXPECT_THROW(slow.bullet().step(0.01, 1), std::runtime_error);
+}
+
 TEST(WetCloth, WaterWakesASleepingSheet) {
     SheetWorld rig(test::smallSheet);
     WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
@@ -259,6 +354,11 @@ TEST(WetCloth, RefusesInputThatIsNotFiniteBeforeBulletSeesIt) {
     EXPECT_THROW(cloth.addWater(100000, 1e-3), std::out_of_range);
     EXPECT_THROW(cloth.addWater(0, 1e-3, {btScalar(nan), 0, 0}), std::invalid_argument);
     EXPECT_THROW(cloth.soak(nan), std::invalid_argument);
+    EXPECT_THROW(cloth.soak(1e39), std::invalid_argument);
+    EXPECT_THROW(cloth.addWater(0, 1e39), std::invalid_argument);
+    EXPECT_THROW(cloth.saturation(289), std::out_of_range);
+    EXPECT_THROW(cloth.nodeMass(-1), std::out_of_range);
+    EXPECT_THROW(cloth.gloss(289), std::out_of_range);
     EXPECT_EQ(cloth.waterMass(), 0.0);
 
     cloth.air().wind = {0, nan, 0};
