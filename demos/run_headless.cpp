@@ -33,14 +33,14 @@ class Album {
         viewer::Image image = renderer_.capture(picture, pictureWidth, pictureHeight);
         const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
         writePng(folder_ / (name + ".png"), image);
-        images_.push_back(viewer::scaledDown(image, 2));
+        images_.push_back(viewer::scaledDown(image, 3));
         return took;
     }
 
     /// All moments side by side.
     void writeContactSheet() const {
         if (images_.size() < 2) return;
-        constexpr int columns = 3, gap = 4;
+        constexpr int columns = 4, gap = 4;
         writePng(folder_ / "contact-sheet.png", viewer::contactSheet(images_, columns, gap));
     }
 

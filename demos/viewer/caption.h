@@ -8,7 +8,7 @@
 
 namespace drench::viewer {
 
-// Writes lines of text at the top left of a framebuffer, about 1/28 of its height each, white with a dark
+// Writes lines of text at the top left of a framebuffer, about 1/22 of its height each, white with a dark
 // rim.
 class Caption {
   public:

@@ -9,58 +9,74 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-/// Normal speed that still makes pressure when the cloth leaks: the root of v = u - permeability c v^2.
-double speedAfterLeak(double speed, double pressureFactor, double permeability) {
-    const double leak = permeability * pressureFactor;
-    // Without a leak worth naming the quadratic formula would only lose digits.
-    if (leak * speed < 1e-6) return speed;
-    return (std::sqrt(1 + 4 * leak * speed) - 1) / (2 * leak);
+/// Share of the normal speed that is left after the leak: with v = u - permeability c v^2, v / u.
+btScalar shareAfterLeak(btScalar speed, btScalar pressureFactor, btScalar permeability) {
+    return 2 / (1 + std::sqrt(1 + 4 * permeability * pressureFactor * speed));
 }
 
-/// Force on a mass that a drag of `resistance` kg/s, frozen for the substep, brings about implicitly.
-double implicitResistance(double resistance, double mass, double dt) {
-    return resistance / (1 + resistance * dt / mass);
+/// What a resistance of r kg/s, frozen for the substep, comes to when it is taken implicitly: r / (1 + r dt / m).
+btScalar implicitResistance(btScalar resistance, btScalar mass, btScalar dt) {
+    return resistance * mass / (mass + resistance * dt);
 }
 
 }  // namespace
 
-void addAirForces(btSoftBody& body, const RestShape& shape, const WetLaws& laws, const Air& air,
-                  const std::vector<double>& masses, const std::vector<double>& saturations, double dt) {
-    const btVector3 wind(btScalar(air.wind.x()), btScalar(air.wind.y()), btScalar(air.wind.z()));
-    for (std::size_t f = 0; f < shape.triangles.size(); ++f) {
-        btSoftBody::Face& face = body.m_faces[static_cast<int>(f)];
-        btSoftBody::Node &a = *face.m_n[0], &b = *face.m_n[1], &c = *face.m_n[2];
-        const btVector3 cross = (b.m_x - a.m_x).cross(c.m_x - a.m_x);
-        const btScalar doubleArea = cross.length();
-        if (!(doubleArea > 0)) continue;
+AirForces::AirForces(const RestShape& shape) : nodeAreas_(shape.nodeAreas), nodes_(shape.nodeAreas.size()) {
+    faces_.reserve(shape.triangles.size());
+    for (std::size_t f = 0; f < shape.triangles.size(); ++f)
+        faces_.push_back({shape.triangles[f], btScalar(shape.triangleAreas[f])});
+}
 
-        const btVector3 normal = cross / doubleArea;
-        const btVector3 relative = (a.m_v + b.m_v + c.m_v) / 3 - wind;
-        const btVector3 across = normal * relative.dot(normal);
-        const btVector3 along = relative - across;
-        const double acrossSpeed = double(across.length());
-
-        double saturation = 0, mass = 0;
-        for (const int node : shape.triangles[f]) {
-            const auto n = static_cast<std::size_t>(node);
-            saturation += saturations[n] / 3;
-            mass += masses[n] / shape.nodeAreas[n] * shape.triangleAreas[f] / 3;
-        }
-        const AirDrag drag = laws.drag(saturation);
-        const double area = 0.5 * double(doubleArea);
-        const double pressureFactor = 0.5 * airDensity * drag.normal;
-        const double effective = speedAfterLeak(acrossSpeed, pressureFactor, drag.permeability);
-        const double acrossResistance =
-            acrossSpeed > 0 ? area * pressureFactor * effective * effective / acrossSpeed : 0.0;
-        const double alongResistance = area * 0.5 * airDensity * drag.tangential * double(along.length());
-
-        const btVector3 force = across * btScalar(-implicitResistance(acrossResistance, mass, dt)) +
-                                along * btScalar(-implicitResistance(alongResistance, mass, dt));
-        const btVector3 share = force / 3;
-        a.m_f += share;
-        b.m_f += share;
-        c.m_f += share;
+void AirForces::add(btSoftBody& body, const WetLaws& laws, const Air& air, const std::vector<double>& masses,
+                    const std::vector<double>& saturations, double dt) {
+    gather(body, laws, air, masses, saturations);
+    const AirDrag drag = laws.drag(0);  // of its members only the permeability depends on the water
+    for (const Face& face : faces_) {
+        const btVector3 share = faceForce(face, drag, btScalar(dt)) / 3;
+        for (const int node : face.nodes) nodes_[static_cast<std::size_t>(node)].force += share;
     }
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        body.m_nodes[n].m_f += nodes_[static_cast<std::size_t>(n)].force;
+}
+
+void AirForces::gather(const btSoftBody& body, const WetLaws& laws, const Air& air,
+                       const std::vector<double>& masses, const std::vector<double>& saturations) {
+    const btVector3 wind(btScalar(air.wind.x()), btScalar(air.wind.y()), btScalar(air.wind.z()));
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        const btSoftBody::Node& source = body.m_nodes[static_cast<int>(n)];
+        Node& node = nodes_[n];
+        node.position = source.m_x;
+        node.velocity = source.m_v - wind;
+        node.force.setZero();
+        node.massPerArea = nodeAreas_[n] > 0 ? btScalar(masses[n] / nodeAreas_[n]) : btScalar(0);
+        node.permeability = btScalar(laws.drag(saturations[n]).permeability);
+    }
+}
+
+btVector3 AirForces::faceForce(const Face& face, const AirDrag& drag, btScalar dt) const {
+    const Node& a = nodes_[static_cast<std::size_t>(face.nodes[0])];
+    const Node& b = nodes_[static_cast<std::size_t>(face.nodes[1])];
+    const Node& c = nodes_[static_cast<std::size_t>(face.nodes[2])];
+    const btVector3 cross = (b.position - a.position).cross(c.position - a.position);
+    const btScalar doubleArea = cross.length();
+    if (!(doubleArea > 0)) return {0, 0, 0};
+
+    const btVector3 normal = cross / doubleArea;
+    const btVector3 velocity = (a.velocity + b.velocity + c.velocity) / 3;
+    const btScalar normalVelocity = velocity.dot(normal);
+    const btVector3 across = normal * normalVelocity, along = velocity - across;
+    const btScalar acrossSpeed = std::abs(normalVelocity), alongSpeed = along.length();
+
+    const btScalar area = doubleArea / 2;
+    const btScalar mass = (a.massPerArea + b.massPerArea + c.massPerArea) / 3 * face.restArea;
+    const btScalar permeability = (a.permeability + b.permeability + c.permeability) / 3;
+    const btScalar pressureFactor = btScalar(0.5 * airDensity * drag.normal);
+    const btScalar shearFactor = btScalar(0.5 * airDensity * drag.tangential);
+    const btScalar share = shareAfterLeak(acrossSpeed, pressureFactor, permeability);
+    const btScalar acrossResistance = area * pressureFactor * acrossSpeed * share * share;
+    const btScalar alongResistance = area * shearFactor * alongSpeed;
+    return -(across * implicitResistance(acrossResistance, mass, dt) +
+             along * implicitResistance(alongResistance, mass, dt));
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -71,11 +71,14 @@ struct WetCloth::Layer final : PreTickListener {
     BodyWatch watch;
     TakenOver taken;
     std::vector<LinkStiffness> dryStiffness;
+    AirForces airForces;
 
-    std::vector<Arrival> arrivals;    // since the last substep
-    std::vector<double> masses;       // kg, as last written to the body
-    std::vector<double> saturations;  // as of this substep
-    std::vector<double> stiffness;    // N/m, of each link, as of this substep
+    std::vector<Arrival> arrivals;      // since the last substep
+    std::vector<double> masses;         // kg, as last written to the body
+    std::vector<double> saturations;    // of each node, as of this substep
+    std::vector<double> stretchRatios;  // of each node, wet over dry
+    std::vector<double> bendingRatios;  // of each node, wet over dry
+    std::vector<double> stiffness;      // N/m, of each link, as of this substep
 };
 
 WetCloth::Layer::Layer(btSoftRigidDynamicsWorld& aWorld, btSoftBody& sheet, const Fabric& fabric,
@@ -92,9 +95,12 @@ WetCloth::Layer::Layer(btSoftRigidDynamicsWorld& aWorld, btSoftBody& sheet, cons
       watch(body),
       taken(body, shape),
       dryStiffness(linkStiffness(fabric, coordinates, shape.triangles, shape.links)),
+      airForces(shape),
       arrivals(shape.nodeAreas.size()),
       masses(shape.nodeAreas.size()),
       saturations(shape.nodeAreas.size()),
+      stretchRatios(shape.nodeAreas.size()),
+      bendingRatios(shape.nodeAreas.size()),
       stiffness(shape.links.size()) {
     evaluateLaws();
     writeMasses(body, masses);
@@ -140,7 +146,7 @@ void WetCloth::Layer::substep(btScalar dt) {
     writeMasses(body, masses);
     writeLinkConstants(body, stiffness, bodyStep);
     // Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
-    if (body.isActive()) addAirForces(body, shape, laws, air, masses, saturations, bodyStep);
+    if (body.isActive()) airForces.add(body, laws, air, masses, saturations, bodyStep);
 }
 
 void WetCloth::Layer::checkBeforeStep(btScalar dt) const {
@@ -172,14 +178,15 @@ void WetCloth::Layer::evaluateLaws() {
     for (std::size_t n = 0; n < masses.size(); ++n) {
         masses[n] = laws.mass(shape.nodeAreas[n], moisture.poreMass()[n] + moisture.filmMass()[n]);
         saturations[n] = moisture.saturation(n);
+        const double content = moisture.content(n);
+        stretchRatios[n] = laws.stretchRatio(content);
+        bendingRatios[n] = laws.bendingRatio(content);
     }
     for (std::size_t i = 0; i < stiffness.size(); ++i) {
-        const auto& nodes = shape.links[i].nodes;
-        const double content = 0.5 * (moisture.content(static_cast<std::size_t>(nodes[0])) +
-                                      moisture.content(static_cast<std::size_t>(nodes[1])));
-        const double ratio = dryStiffness[i].kind == LinkKind::bending ? laws.bendingRatio(content)
-                                                                       : laws.stretchRatio(content);
-        stiffness[i] = dryStiffness[i].dry * ratio;
+        const auto a = static_cast<std::size_t>(shape.links[i].nodes[0]);
+        const auto b = static_cast<std::size_t>(shape.links[i].nodes[1]);
+        const auto& ratios = dryStiffness[i].kind == LinkKind::bending ? bendingRatios : stretchRatios;
+        stiffness[i] = dryStiffness[i].dry * 0.5 * (ratios[a] + ratios[b]);
     }
 }
 
