@@ -44,6 +44,31 @@ class SheetWorld {
     std::unique_ptr<btSoftBody> sheet_;
 };
 
+/// A level square metre of free cloth without gravity, 11 x 11 nodes, whose layer the test steps itself.
+class FreeSheet {
+  public:
+    explicit FreeSheet(const Fabric& fabric) {
+        bullet_.world().getWorldInfo().m_gravity.setZero();
+        sheet_ = makeSheet(bullet_.world().getWorldInfo(), fabric,
+                           flatCorners({0, 0, 0}, {1, 0, 0}, {0, 0, 1}), 11, 11);
+        bullet_.world().addSoftBody(sheet_.get());
+        SheetSettings settings;
+        settings.stepping = Stepping::byApplication;
+        cloth_ = std::make_unique<WetCloth>(bullet_.world(), *sheet_, fabric, settings);
+    }
+    ~FreeSheet() { bullet_.world().removeSoftBody(sheet_.get()); }
+    FreeSheet(const FreeSheet&) = delete;
+    FreeSheet& operator=(const FreeSheet&) = delete;
+
+    WetCloth& cloth() { return *cloth_; }
+    btSoftBody& sheet() { return *sheet_; }
+
+  private:
+    demo::BulletWorld bullet_;
+    std::unique_ptr<btSoftBody> sheet_;
+    std::unique_ptr<WetCloth> cloth_;
+};
+
 inline double mass(const btSoftBody::Node& node) {
     return node.m_im > 0 ? 1 / double(node.m_im) : 0.0;
 }

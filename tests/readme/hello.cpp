@@ -24,7 +24,8 @@ int main() {
     cloth.air().wind = {0, 0, 2};
     cloth.soak(0.1);  // 100 g of water per square metre
 
-    for (int frame = 0; frame < 120; ++frame) world.stepSimulation(1.f / 60, 40, 1.f / 1920);  // nothing else changes
+    for (int frame = 0; frame < 120; ++frame)
+        world.stepSimulation(1.f / 60, 40, 1.f / 1920);  // nothing else changes
     std::printf("%.3f kg of cloth holds %.3f kg of water, %.3f kg of it in its pores\n", cloth.dryMass(),
                 cloth.waterMass(), cloth.moisture().totalPoreMass());
     world.removeSoftBody(sheet.get());
