@@ -407,7 +407,8 @@ void TenSteps::report(std::ostream& out) const {
 
     Table comparison;
     comparison.columns = all.columns;
-    for (const std::size_t step : {0, 1, 4, 7, 10})
+    constexpr std::size_t evaluated[] = {0, 1, 4, 7, 10};
+    for (const std::size_t step : evaluated)
         if (step < all.rows.size()) comparison.rows.push_back(all.rows[step]);
     out << "\nDry, first, fourth, seventh and tenth step side by side:\n";
     print(out, comparison);
