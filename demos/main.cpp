@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
     const ParsedOptions parsed = parseOptions(argc, argv);
     if (parsed.exitStatus) return *parsed.exitStatus;
     try {
+        checkTargets(parsed.options);
         if (parsed.options.headless) {
             const auto scene = sceneByName(parsed.options.scene).make(parsed.options.sceneOptions);
             return runHeadless(*scene, parsed.options);

@@ -20,7 +20,7 @@ bool pickFabric(std::string& name) {
 
 void changeWind(double& speed) {
     constexpr double still = 0, storm = 15;
-    ImGui::SliderScalar("wind, m/s", ImGuiDataType_Double, &speed, &still, &storm, "%.1f");
+    ImGui::SliderScalar("m/s wind, when it blows", ImGuiDataType_Double, &speed, &still, &storm, "%.1f");
 }
 
 void pourWater(const std::vector<SceneSheet>& sheets) {
@@ -37,16 +37,13 @@ void showLedger(const SceneSheet& sheet) {
     ImGui::Text("  supplied   %8.4f kg", ledger.supplied);
     ImGui::Text("  in pores   %8.4f kg", moisture.totalPoreMass());
     ImGui::Text("  in film    %8.4f kg", moisture.totalFilmMass());
-    ImGui::Text("  dripped    %8.4f kg", ledger.dripped);
-    ImGui::Text("  evaporated %8.4f kg", ledger.evaporated);
-    ImGui::Text("  returned   %8.4f kg", ledger.returned);
 }
 
 }  // namespace
 
 PanelWishes showPanel(Scene& scene, SceneOptions& options, bool paused) {
     PanelWishes wishes;
-    ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - 12, 12}, ImGuiCond_Once, {1, 0});
+    ImGui::SetNextWindowPos({12, 90}, ImGuiCond_Once);
     ImGui::Begin("drench", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::TextUnformatted(scene.status().c_str());
     ImGui::ProgressBar(float(scene.progress()));

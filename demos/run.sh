@@ -2,7 +2,7 @@
 # Builds and runs drench-demo; installs what is missing. Arguments go to the program.
 # Without arguments: ten-steps, in a window where there is a display, else as a table and pictures in out/.
 set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 . "$root/cmake/prepare.sh"
 
 install_missing "${build_packages[@]}" "${picture_packages[@]}"

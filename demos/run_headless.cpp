@@ -30,10 +30,10 @@ class Album {
         if (images_.empty())
             renderer_.capture(picture, pictureWidth, pictureHeight);  // the first one compiles shaders
         const auto before = std::chrono::steady_clock::now();
-        viewer::Image image = renderer_.capture(picture, pictureWidth, pictureHeight);
+        const viewer::Image image = renderer_.capture(picture, pictureWidth, pictureHeight);
         const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
         writePng(folder_ / (name + ".png"), image);
-        images_.push_back(viewer::scaledDown(image, 3));
+        images_.push_back(renderer_.capture(picture, pictureWidth / 3, pictureHeight / 3));
         return took;
     }
 
@@ -103,6 +103,11 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     for (const std::string& failure : failures) std::cerr << "check failed: " << failure << '\n';
     std::cout << (failures.empty() ? "\ncheck passed\n" : "\ncheck failed\n");
     return failures.empty() ? 0 : 1;
+}
+
+void checkTargets(const RunOptions& options) {
+    if (!options.csv.empty()) checkWritable(options.csv);
+    if (!options.frames.empty()) checkWritable(options.frames / "picture.png");
 }
 
 void writeResult(const RunOptions& options, const Scene& scene) {

@@ -54,7 +54,7 @@ ParsedOptions parseOptions(int argc, char** argv) {
     app.add_option("--frames", run.frames, "write pictures (PNG) into this folder");
     app.add_option("--every", run.every, "a picture each so many frames of 1/60 s [the scene's own moments]")
         ->check(CLI::Range(1, 1000000));
-    app.add_option("--seed", run.sceneOptions.seed, "of what is drawn by lot [1]");
+    app.add_option("--seed", run.sceneOptions.seed, "seed of the random numbers [1]");
 
     try {
         app.parse(argc, argv);

@@ -13,6 +13,10 @@ int runHeadless(Scene& scene, const RunOptions& options);
 /// @return the exit status
 int runInWindow(const RunOptions& options);
 
+/// Makes sure that what the options ask to be written can be written.
+/// @throws std::runtime_error that names what cannot
+void checkTargets(const RunOptions& options);
+
 /// Writes the CSV file that the options ask for.
 void writeResult(const RunOptions& options, const Scene& scene);
 

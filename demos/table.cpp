@@ -19,7 +19,29 @@ std::string cell(double value, int digits) {
     return text.str();
 }
 
+/// The name under which a file is written until it is whole.
+std::filesystem::path unfinished(std::filesystem::path path) {
+    path += ".part";
+    return path;
+}
+
 }  // namespace
+
+void checkWritable(const std::filesystem::path& path) {
+    namespace fs = std::filesystem;
+    const auto refuse = [&](const std::string& why) {
+        throw std::runtime_error("cannot write " + path.string() + ": " + why);
+    };
+    std::error_code problem;
+    if (fs::exists(path, problem) && !fs::is_regular_file(path, problem))
+        refuse("it is there and is no file");
+    if (path.has_parent_path()) fs::create_directories(path.parent_path(), problem);
+    if (problem) refuse("its folder cannot be created; choose another");
+    std::ofstream trial(unfinished(path));
+    if (!trial) refuse("its folder lets nobody write, or not you; choose another");
+    trial.close();
+    fs::remove(unfinished(path), problem);
+}
 
 void print(std::ostream& out, const Table& table) {
     std::vector<std::size_t> widths;
@@ -52,17 +74,15 @@ void writeCsv(const std::filesystem::path& path, const Table& table) {
         text << '\n';
     }
 
-    std::error_code problem;
-    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), problem);
-    std::filesystem::path unfinished = path;
-    unfinished += ".part";
-    std::ofstream file(unfinished, std::ios::binary);
+    checkWritable(path);
+    std::ofstream file(unfinished(path), std::ios::binary);
     file << text.str();
     file.close();
-    if (file) std::filesystem::rename(unfinished, path, problem);
-    if (!file || problem)
-        throw std::runtime_error("cannot write " + path.string() +
-                                 "; is it a folder, or in one you may not write to?");
+    std::error_code problem;
+    if (file) std::filesystem::rename(unfinished(path), path, problem);
+    if (file && !problem) return;
+    std::filesystem::remove(unfinished(path), problem);
+    throw std::runtime_error("cannot write all of " + path.string() + "; is the disk full?");
 }
 
 }  // namespace drench::demo

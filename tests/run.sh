@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds everything and runs the tests; installs what is missing. Arguments go to ctest.
 set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 . "$root/cmake/prepare.sh"
 
 install_missing "${build_packages[@]}" "${picture_packages[@]}" libgtest-dev xvfb xauth xdotool

@@ -352,8 +352,7 @@ viewer::Picture TenSteps::picture() const {
     picture.camera.pitch = 0.10f;
     std::ostringstream text;
     text << std::fixed << "step " << results_.size() - 1 << ": " << std::setprecision(3)
-         << 1e3 * rig_->waterOfInnerNode() << " g of water per node, " << std::setprecision(2) << rig_->mass()
-         << " kg";
+         << 1e3 * rig_->waterOfInnerNode() << " g a node, " << std::setprecision(2) << rig_->mass() << " kg";
     picture.caption.push_back(text.str());
     return picture;
 }
@@ -416,6 +415,7 @@ void TenSteps::report(std::ostream& out) const {
 
 std::vector<std::string> TenSteps::failures() const {
     std::vector<std::string> list;
+    if (table().rows.empty()) return {"it ended before anything was measured; give it more --seconds"};
     const auto grows = [&](const char* what, double Result::*value, bool up) {
         for (std::size_t step = 1; step < results_.size(); ++step) {
             const double before = results_[step - 1].*value, now = results_[step].*value;

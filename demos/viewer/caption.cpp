@@ -80,7 +80,7 @@ void Caption::draw(const std::vector<std::string>& lines, int width, int height)
         return;
     }
     const ImGuiSession::Use use(session_);
-    loadFont(std::clamp(std::round(static_cast<float>(height) / 22.0f), 10.0f, 96.0f));
+    loadFont(std::clamp(std::round(static_cast<float>(height) / 22.0f), 15.0f, 96.0f));
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
     ImGui_ImplOpenGL3_NewFrame();

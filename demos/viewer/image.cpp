@@ -4,8 +4,6 @@
 #include <stb_image_write.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -50,19 +48,8 @@ void writeBytes(const std::filesystem::path& path, const std::vector<char>& byte
     }
 }
 
-std::array<float, 256> linearLightTable() {
-    std::array<float, 256> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        const float encoded = static_cast<float>(i) / 255.0f;
-        table[i] = encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-    }
-    return table;
-}
-
-std::uint8_t encoded(float light) {
-    const float value = light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1.0f / 2.4f) - 0.055f;
-    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
-}
+// Light grey: what no image covers.
+constexpr std::uint8_t backdrop = 235;
 
 }  // namespace
 
@@ -125,7 +112,7 @@ Image contactSheet(const std::vector<Image>& images, int columns, int gap) {
     columns = std::min(columns, count);
     const int rows = (count + columns - 1) / columns;
     Image sheet{columns * first.width + (columns - 1) * gap, rows * first.height + (rows - 1) * gap, {}};
-    sheet.rgb.assign(byteCount(sheet.width, sheet.height), 255);
+    sheet.rgb.assign(byteCount(sheet.width, sheet.height), backdrop);
     for (int i = 0; i < count; ++i) {
         const int left = (i % columns) * (first.width + gap);
         const int top = (i / columns) * (first.height + gap);
@@ -138,30 +125,6 @@ Image contactSheet(const std::vector<Image>& images, int columns, int gap) {
         }
     }
     return sheet;
-}
-
-Image scaledDown(const Image& image, int factor) {
-    requireWhole(image);
-    if (factor < 1 || factor > image.width || factor > image.height) {
-        throw std::runtime_error("viewer: an image can be scaled down by 1 up to its shorter side");
-    }
-    const std::array<float, 256> light = linearLightTable();
-    Image small{image.width / factor, image.height / factor, {}};
-    small.rgb.resize(byteCount(small.width, small.height));
-    const float share = 1.0f / static_cast<float>(factor * factor);
-    for (int y = 0; y < small.height; ++y) {
-        for (int x = 0; x < 3 * small.width; ++x) {
-            float sum = 0.0f;
-            for (int block = 0; block < factor * factor; ++block) {
-                const int column = (x / 3) * factor + block % factor;
-                const int row = y * factor + block / factor;
-                const std::size_t pixel = byteCount(image.width, row) + byteCount(column, 1);
-                sum += light[image.rgb[pixel + static_cast<std::size_t>(x % 3)]];
-            }
-            small.rgb[byteCount(small.width, y) + static_cast<std::size_t>(x)] = encoded(share * sum);
-        }
-    }
-    return small;
 }
 
 }  // namespace drench::viewer

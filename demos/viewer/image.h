@@ -21,12 +21,8 @@ void writePng(const std::filesystem::path& path, const Image& image);
 // Reads a PNG file as RGB; throws std::runtime_error, naming the path, when that fails.
 Image readPng(const std::filesystem::path& path);
 
-// Tiles images of one size row by row, `gap` white pixels apart; throws std::runtime_error on unequal sizes,
+// Tiles images of one size row by row, `gap` pixels apart, on light grey; throws std::runtime_error on unequal sizes,
 // no image, columns below 1 or a negative gap.
 Image contactSheet(const std::vector<Image>& images, int columns, int gap);
-
-// Averages blocks of factor x factor pixels in linear light, dropping leftover pixels at the right and
-// bottom. Throws std::runtime_error when the factor is below 1 or larger than the image.
-Image scaledDown(const Image& image, int factor);
 
 }  // namespace drench::viewer

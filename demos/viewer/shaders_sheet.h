@@ -64,7 +64,7 @@ void main() {
     s.normal = side * normalize(normal);
     float dryness = 1.0 - 0.6 * gloss;
     s.albedo = albedo * (1.0 + 0.10 * dryness * weavePattern(cloth));
-    s.reflectance = mix(0.035, 0.02, gloss);
+    s.reflectance = mix(0.012, 0.02, gloss);
     s.roughness = mix(0.9, 0.27, gloss);
     s.translucency = mix(0.30, 0.34, gloss);
     float fold = clamp(side * hollow * 0.09, -0.3, 1.0);

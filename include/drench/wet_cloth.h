@@ -77,8 +77,8 @@ class WetCloth {
     /// @throws std::invalid_argument, with the body as it was, for a fabric or setting out of range; a body without faces
     ///     or links, with clusters or tetrahedra, with a node or link that is not finite, a link of no length, a triangle
     ///     of no area, two faces or links of the same nodes, or with a WetCloth already; a voxel size of its world info, or a
-    ///     margin, larger than its mean link; a plane shape that is in the world now and that its collision filters, once
-    ///     it has any, let it meet; material coordinates that do not fit it.
+    ///     margin, larger than its mean link; a plane shape in the world that its
+    ///     collision filters, once it has any, let it meet; material coordinates that do not fit it.
     WetCloth(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
              const SheetSettings& settings = {});
     ~WetCloth();
@@ -131,7 +131,8 @@ class WetCloth {
 
     /// Does the layer's work for a substep of `dt` seconds that is about to begin. Only for `Stepping::byApplication`;
     /// otherwise the world calls it and its errors come out of stepSimulation: Bullet's step is then left undone, other
-    /// sheets may have had theirs, and world.clearForces() is due before the next. Does nothing while the body is in no
+    /// sheets may have had theirs, and world.clearForces() is due before the next. The world's step also throws
+    /// std::invalid_argument when a plane shape has come that the body can meet. Does nothing while the body is in no
     /// world or no longer exists.
     /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive and finite;
     ///     std::runtime_error if a position or velocity of the body, its timescale or the wind is not finite, or if its

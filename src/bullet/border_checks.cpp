@@ -89,7 +89,19 @@ void checkBody(const btSoftBody& body) {
             refuse("node ", n, " has a position or velocity that is not finite; mend it before attaching");
 }
 
-void checkWorld(btSoftRigidDynamicsWorld& world, const btSoftBody& body, const RestShape& shape) {
+void checkPlanes(const btCollisionWorld& world, const btSoftBody& body) {
+    for (int i = 0; i < world.getNumCollisionObjects(); ++i) {
+        const btCollisionObject& object = *world.getCollisionObjectArray()[i];
+        if (containsPlane(*object.getCollisionShape()) && object.hasContactResponse() &&
+            mayMeet(object.getBroadphaseHandle(), body.getBroadphaseHandle()))
+            refuse(
+                "collision object ", i,
+                " is a plane shape, above which Bullet lets soft bodies float by a tenth of a metre; use a "
+                "btBoxShape for the ground, or filter the pair out");
+    }
+}
+
+void checkContacts(const btSoftBody& body, const RestShape& shape) {
     const double link = meanLinkLength(shape);
     const double voxel = double(body.m_worldInfo->m_sparsesdf.voxelsz);
     if (voxel > link)
@@ -101,15 +113,6 @@ void checkWorld(btSoftRigidDynamicsWorld& world, const btSoftBody& body, const R
     if (margin > link)
         refuse("the body's collision margin is ", margin, " m, larger than its mean link of ", link,
                " m; call body.getCollisionShape()->setMargin(", link / 4, ")");
-    for (int i = 0; i < world.getNumCollisionObjects(); ++i) {
-        const btCollisionObject& object = *world.getCollisionObjectArray()[i];
-        if (containsPlane(*object.getCollisionShape()) && object.hasContactResponse() &&
-            mayMeet(object.getBroadphaseHandle(), body.getBroadphaseHandle()))
-            refuse(
-                "collision object ", i,
-                " is a plane shape, above which Bullet lets soft bodies float by a tenth of a metre; use a "
-                "btBoxShape for the ground, or filter the pair out");
-    }
 }
 
 void checkDuplicates(const RestShape& shape) {

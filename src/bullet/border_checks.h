@@ -17,10 +17,13 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// @throws std::invalid_argument
 void checkBody(const btSoftBody& body);
 
-/// Refuses a world in which the body cannot touch things where they are: a distance field or margin coarser
-/// than the mean link, or a plane shape that the body would float above.
+/// Refuses a world with a plane shape that the body could meet, and would float above.
 /// @throws std::invalid_argument
-void checkWorld(btSoftRigidDynamicsWorld& world, const btSoftBody& body, const RestShape& shape);
+void checkPlanes(const btCollisionWorld& world, const btSoftBody& body);
+
+/// Refuses a body that cannot touch things where they are: with a distance field or a margin coarser than its mean link.
+/// @throws std::invalid_argument
+void checkContacts(const btSoftBody& body, const RestShape& shape);
 
 /// Refuses two faces of the same nodes, and two links of the same nodes: each would count twice.
 /// @throws std::invalid_argument

@@ -30,7 +30,8 @@ RestShape checkedShape(btSoftRigidDynamicsWorld& world, const btSoftBody& body) 
     checkBody(body);
     RestShape shape = restShapeOf(body);
     checkDuplicates(shape);
-    checkWorld(world, body, shape);
+    checkContacts(body, shape);
+    checkPlanes(world, body);
     return shape;
 }
 
@@ -62,6 +63,7 @@ struct WetCloth::Layer final : PreTickListener {
     btSoftBody& body;                 // exists while the watch says so
     const Stepping stepping;
     const double waterSpeed;
+    int objectsChecked = 0;  // collision objects in the world when it was last looked through for planes
     Air air;
 
     RestShape shape;
@@ -130,7 +132,10 @@ void WetCloth::Layer::receive(std::size_t node, double mass) {
 
 void WetCloth::Layer::preTick(btScalar dt) {
     const auto& bodies = world.getSoftBodyArray();
-    if (watch.bodyIsAlive() && bodies.findLinearSearch(&body) < bodies.size()) substep(dt);
+    if (!watch.bodyIsAlive() || bodies.findLinearSearch(&body) == bodies.size()) return;
+    if (objectsChecked != world.getNumCollisionObjects()) checkPlanes(world, body);
+    objectsChecked = world.getNumCollisionObjects();
+    substep(dt);
 }
 
 void WetCloth::Layer::substep(btScalar dt) {

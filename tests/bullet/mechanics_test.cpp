@@ -104,8 +104,8 @@ TEST(Mechanics, SagAndStrainGrowWithWeightAsAtRestInAnIndependentSolver) {
     for (const int times : {1, 2, 3}) {
         const Outcome found = inBullet(fabric, times - 1, dt), expected = atRest(fabric, times - 1);
         RecordProperty("sag_error_" + std::to_string(times), std::to_string(found.sag / expected.sag - 1));
-        EXPECT_NEAR(found.sag / expected.sag, 1, 0.05) << times << " times the mass";
-        EXPECT_NEAR(found.meanStrain / expected.meanStrain, 1, 0.05) << times << " times the mass";
+        EXPECT_NEAR(found.sag / expected.sag, 1, 0.04) << times << " times the mass";
+        EXPECT_NEAR(found.meanStrain / expected.meanStrain, 1, 0.04) << times << " times the mass";
         EXPECT_NEAR(found.meanStrain / single.meanStrain, times, 0.10 * times);
         std::printf("%d x mass: sag %.5f m, at rest %.5f m; mean strain %.5f, at rest %.5f\n", times,
                     found.sag, expected.sag, found.meanStrain, expected.meanStrain);

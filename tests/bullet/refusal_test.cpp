@@ -112,6 +112,17 @@ TEST(Refusal, WorldsInWhichTheSheetFloatsOrSinks) {
     bullet.world().addCollisionObject(&ground);
     EXPECT_CONTAINS(refusal(bullet, *sheet), "plane");
     bullet.world().removeCollisionObject(&ground);
+    {  // one that comes later
+        bullet.world().addSoftBody(sheet.get());
+        const WetCloth cloth(bullet.world(), *sheet, fabrics::cottonPlain());
+        bullet.step(0.01, 1);
+        bullet.world().addCollisionObject(&ground);
+        EXPECT_THROW(bullet.step(0.01, 1), std::invalid_argument);
+        EXPECT_THROW(bullet.step(0.01, 1), std::invalid_argument);
+        bullet.world().removeCollisionObject(&ground);
+        bullet.step(0.01, 1);
+        bullet.world().removeSoftBody(sheet.get());
+    }
     // One that the sheet cannot meet does no harm.
     bullet.world().addCollisionObject(&ground, 2, 2);
     bullet.world().addSoftBody(sheet.get(), 1, 1);

@@ -40,6 +40,9 @@ expect 2 'every' drape --headless --every -1
 expect 2 'run with --headless' drape
 expect 2 '/proc/no/such.csv' drape --headless --seconds 0.1 --resolution 8 --csv /proc/no/such.csv
 
+expect 2 '/proc/no' drape --headless --seconds 0.1 --resolution 8 --frames /proc/no/pictures
+expect 1 'before anything was measured' ten-steps --headless --seconds 0.5 --resolution 8
+
 expect 0 'check passed' drape --headless --seconds 0.2 --resolution 12 --csv "$folder/new/drape.csv" \
   --frames "$folder/frames" --every 5
 exists "$folder/new/drape.csv" "$folder/frames/frame-000005.png" "$folder/frames/frame-000010.png" \

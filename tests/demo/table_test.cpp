@@ -41,6 +41,8 @@ TEST(Table, NamesTheFileThatItCannotWriteAndLeavesWhatIsThere) {
     } catch (const std::runtime_error& problem) {
         EXPECT_NE(std::string(problem.what()).find("a.csv"), std::string::npos);
     }
+    EXPECT_THROW(checkWritable("/dev/full"), std::runtime_error);
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
     EXPECT_TRUE(std::filesystem::is_directory(folder / "a.csv"));
     std::filesystem::remove_all(folder);
 }
