@@ -141,7 +141,7 @@ viewer::Picture Drape::picture() const {
     }
     picture.camera.target = {0, 0.62f, 0};
     picture.camera.distance = 2.6f;
-    picture.camera.yaw = 0.25f;
+    picture.camera.yaw = 0;
     picture.camera.pitch = 0.24f;
     std::ostringstream text;
     text << std::fixed << std::setprecision(2) << "left dry, " << sides_[0]->mass() << " kg; right wet, "
