@@ -1,4 +1,8 @@
+#ifdef _WIN32
+#include <io.h>
+#else
 #include <unistd.h>
+#endif
 
 #include <chrono>
 #include <cstdio>
@@ -51,6 +55,14 @@ class Album {
     std::vector<viewer::Image> images_;
 };
 
+bool stderrIsTerminal() {
+#ifdef _WIN32
+    return _isatty(_fileno(stderr)) != 0;
+#else
+    return isatty(fileno(stderr)) != 0;
+#endif
+}
+
 /// One line on stderr that says how far a run is; rewritten in place on a terminal, else a line every tenth.
 class ProgressLine {
   public:
@@ -67,7 +79,7 @@ class ProgressLine {
     }
 
   private:
-    bool terminal_ = isatty(fileno(stderr)) != 0;
+    bool terminal_ = stderrIsTerminal();
     int shown_ = -1;
 };
 

@@ -439,7 +439,7 @@ std::vector<std::string> TenSteps::failures() const {
                            std::to_string(result.imbalance) + " of what was supplied");
         const double expected = 1e3 * shareOfSaturation(static_cast<int>(step)) * fabric_.poreCapacity() *
                                 cottonSpacing() * cottonSpacing();
-        if (options_.resolution == 55 && std::abs(result.waterPerNode - expected) > 1e-3)
+        if (options_.resolution == 55 && std::abs(result.waterPerNode - expected) > 1e-4)
             list.push_back("an inner node of step " + std::to_string(step) + " holds " +
                            std::to_string(result.waterPerNode) + " g instead of " + std::to_string(expected) +
                            " g");

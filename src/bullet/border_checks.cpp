@@ -67,9 +67,8 @@ double signedArea(const std::vector<Eigen::Vector2d>& coordinates, const std::ar
 void checkBody(const btSoftBody& body) {
     if (body.getInternalType() != btCollisionObject::CO_SOFT_BODY)
         refuse(
-            "the body does not look like a btSoftBody; compile the application, Bullet and Drench with the "
-            "same "
-            "precision (BT_USE_DOUBLE_PRECISION)");
+            "the body does not look like a btSoftBody; compile the application, Bullet and Drench with "
+            "the same precision (BT_USE_DOUBLE_PRECISION)");
     if (body.m_tetras.size() > 0)
         refuse("the body has ", body.m_tetras.size(),
                " tetrahedra; a cloth is a surface, give a body of faces and links");
@@ -82,8 +81,7 @@ void checkBody(const btSoftBody& body) {
         (body.m_cfg.collisions & (Collision::CL_RS | Collision::CL_SS | Collision::CL_SELF)))
         refuse("the body collides by clusters (", body.m_clusters.size(),
                " of them), which keep the masses of the dry cloth; use m_cfg.collisions = SDF_RS (and VF_SS) "
-               "and "
-               "do not call generateClusters");
+               "and do not call generateClusters");
     for (int n = 0; n < body.m_nodes.size(); ++n)
         if (!isFinite(body.m_nodes[n].m_x) || !isFinite(body.m_nodes[n].m_v))
             refuse("node ", n, " has a position or velocity that is not finite; mend it before attaching");

@@ -131,8 +131,8 @@ Fabric polyesterPlain() {
 Fabric wool() {
     Fabric fabric;
     fabric.name = "wool";
-    fabric.arealDensity = measured(0.200, matsudaira);
-    fabric.thickness = measured(0.50e-3, matsudaira);
+    fabric.arealDensity = assumed(0.200, unrecorded);
+    fabric.thickness = assumed(0.50e-3, unrecorded);
     fabric.fibreDensity = measured(1310, mortonHearle);
     fabric.regain = measured(0.15, mortonHearle);
     fabric.boundMaximum = assumed(0.33);
@@ -239,7 +239,7 @@ Fabric nylonTaffeta() {
 Fabric denim() {
     Fabric fabric;
     fabric.name = "denim 11 oz";
-    fabric.arealDensity = measured(0.324, wang);
+    fabric.arealDensity = assumed(0.324, unrecorded);
     fabric.thickness = assumed(0.70e-3);
     fabric.fibreDensity = measured(1520, mortonHearle);
     fabric.regain = measured(0.075, mortonHearle);
@@ -249,7 +249,7 @@ Fabric denim() {
     fabric.stretchWarp = measured(205, wang);
     fabric.stretchWeft = measured(1014, wang);
     fabric.shear = measured(53, wang);
-    fabric.bending = measured(7e-5, wang);
+    fabric.bending = measured(7e-5, matsudaira);
     fabric.bendingFriction = assumed(2e-3);
     fabric.wetStretchRatio = assumed(0.6);
     fabric.wetBendingRatio = assumed(0.7);
