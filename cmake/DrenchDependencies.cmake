@@ -3,15 +3,13 @@ find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 
 # Bullet's own CMake config file is broken in several distributions, and find_package's module knows the
 # single-precision libraries only. pkg-config knows both.
-find_package(PkgConfig)
+find_package(PkgConfig REQUIRED)
 if(DRENCH_DOUBLE_PRECISION)
   set(DRENCH_BULLET_PACKAGE bullet-float64)
 else()
   set(DRENCH_BULLET_PACKAGE bullet)
 endif()
-if(PkgConfig_FOUND)
-  pkg_check_modules(DRENCH_BULLET ${DRENCH_BULLET_PACKAGE})
-endif()
+pkg_check_modules(DRENCH_BULLET ${DRENCH_BULLET_PACKAGE})
 
 add_library(drench_bullet INTERFACE)
 if(DRENCH_BULLET_FOUND)
@@ -28,3 +26,6 @@ endif()
 if(DRENCH_DOUBLE_PRECISION)
   target_compile_definitions(drench_bullet INTERFACE BT_USE_DOUBLE_PRECISION)
 endif()
+
+# Reads pictures: masks for soaking.
+pkg_check_modules(DRENCH_STB REQUIRED IMPORTED_TARGET stb)

@@ -98,10 +98,9 @@ void Drape::addSide(const std::string& name, double x, double shareOfSaturation,
                     {btScalar(sheetSide), 0, 0}, {0, 0, btScalar(sheetSide)});
     auto sheet = makeSheet(bullet_.world().getWorldInfo(), fabric_, corners, nodes, nodes);
     bullet_.world().addSoftBody(sheet.get());
-    SheetSettings settings;
-    settings.waterSpeed = 20;
-    auto cloth = std::make_unique<WetCloth>(bullet_.world(), *sheet, fabric_, settings);
-    cloth->soak(shareOfSaturation * fabric_.poreCapacity());
+    auto cloth = std::make_unique<WetCloth>(bullet_.world(), *sheet, fabric_);
+    cloth->air().vapourExchange = 0;  // a few seconds of drying would only blur the comparison
+    cloth->presoak(shareOfSaturation * fabric_.poreCapacity());
     sides_.push_back(
         std::unique_ptr<Side>(new Side{name, bullet_.world(), &ball, std::move(sheet), std::move(cloth)}));
 }
@@ -186,9 +185,10 @@ std::vector<std::string> Drape::failures() const {
                            std::to_string(ledger.imbalance()) + " kg");
     }
     const double saturated = sides_[0]->mass() * (1 + fabric_.poreCapacity() / fabric_.arealDensity);
-    if (std::abs(sides_[1]->mass() - saturated) > 1e-6 * saturated)
-        list.push_back("the wet sheet weighs " + std::to_string(sides_[1]->mass()) + " kg instead of " +
-                       std::to_string(saturated) + " kg");
+    const double withDrops = sides_[1]->mass() + sides_[1]->cloth->ledger().dripped;
+    if (std::abs(withDrops - saturated) > 1e-6 * saturated)
+        list.push_back("the wet sheet and what dripped from it weigh " + std::to_string(withDrops) +
+                       " kg instead of " + std::to_string(saturated) + " kg");
     return list;
 }
 

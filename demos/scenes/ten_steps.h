@@ -11,9 +11,9 @@ namespace drench::demo {
 
 /// A sheet of 55 x 45 nodes hangs by its two upper corners over a ball and the ground. Step 0 is dry; steps n
 /// = 1..10 hold 0.010 + 0.083 n grams of water per inner node of cotton, the last of which is saturation;
-/// other fabrics get the same shares of their own saturation. Each step starts from a flat sheet at rest,
-/// takes its water up through the absorption of its cloth, settles in still air, is measured, then blown at,
-/// measured again, and let swing.
+/// other fabrics get the same shares of their own saturation. The water is in the pores and stands still. Each
+/// step starts from a flat sheet at rest, settles in still air, is measured, then blown at, measured again, and
+/// let swing.
 class TenSteps final : public Scene {
   public:
     explicit TenSteps(const SceneOptions& options);

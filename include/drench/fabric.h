@@ -46,7 +46,7 @@ struct Fabric {
     Quantity fibreDensity;  ///< mass of the fibre itself per volume, kg/m3; 700 to 8000; cotton 1520
 
     // Water
-    Quantity regain;            ///< water held in air of 65 % humidity, kg/kg; 0 to 0.5; cotton 0.075 *
+    Quantity regain;            ///< water held in air of 65 % humidity, kg/kg; 0 to 0.5; cotton 0.075
     Quantity boundMaximum;      ///< water that softens the fibre, at most, kg/kg; 0.001 to 1; cotton 0.22
     Quantity wettingTime;       ///< time constant from film to pores, s; 1e-3 to 1e5; cotton 2
     Quantity contactAngle;      ///< of water on the fibre, degrees; 0 to 179; cotton 41 *
@@ -110,7 +110,8 @@ struct FabricParameter {
 const std::vector<FabricParameter>& fabricParameters();
 
 /// Checks every parameter for a finite value within its range, and those that depend on each other: porosity from 0.01
-/// to 0.999, shear below both stretches, saturated air permeability not above the dry one.
+/// to 0.999, bound maximum at least 1.6 times the regain, shear below both stretches, saturated air permeability not
+/// above the dry one.
 /// @throws std::invalid_argument that names the fabric, the parameter, its value and the range.
 void validate(const Fabric& fabric);
 

@@ -1,45 +1,93 @@
-// The water in the nodes of one sheet: two stores a node, pores and film, and what moves between them.
-// Knows nothing of Bullet.
+// The water in the nodes of one sheet: two stores a node, pores and film, and what moves between them, between nodes and
+// into the air. Knows nothing of Bullet.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "drench/cloth_mesh.h"
 #include "drench/fabric.h"
 #include "drench/ledger.h"
 
 namespace drench {
 
-/// State of the water in a sheet whose node i stands for the cloth area `areas[i]`.
+/// What the water of a sheet meets during a step.
+struct Surroundings {
+    std::vector<float> heights;  ///< of each node against gravity, m; empty: level, nothing runs or drips
+    double gravity = 0;          ///< m/s2, at least 0; default weightless
+    double dryingRate =
+        0;  ///< of a sheet wet on both faces, kg/(m2 s); 0, the default: nothing passes to or from the air
+    double humidity = 0.65;  ///< of the air, 0 to below 1; matters only with a drying rate
+};
+
+/// State of the water in a sheet.
 ///
-/// Pore water sits between the fibres, up to `poreCapacity(i)`; film water stands on the two faces. Masses
-/// are kept in double, so that a million small steps lose nothing that the ledger would notice.
+/// Pore water sits between the fibres, up to `poreCapacity(i)`; film water stands on the two faces. Masses are kept in double,
+/// so that a million small steps lose nothing that the ledger would notice; what is derived from them is single precision.
 class Moisture {
   public:
-    /// A dry sheet.
-    /// @param fabric  its cloth; validated
-    /// @param areas   cloth area of each node, m2, a third of its rest triangles; 0 for a node without cloth
-    /// @throws std::invalid_argument for a fabric out of range, or an area that is negative or not finite.
-    Moisture(const Fabric& fabric, std::vector<double> areas);
+    /// Drops that fell from a node within one step.
+    struct Shed {
+        std::size_t node;
+        std::int64_t drops;  ///< of `dropMass` kg each
+    };
 
-    /// Number of nodes. Every `node` below is an index less than that.
+    /// A dry sheet.
+    /// @throws std::invalid_argument for a fabric or a mesh out of range.
+    Moisture(const Fabric& fabric, const ClothMesh& mesh);
+    ~Moisture();
+    Moisture(Moisture&&) noexcept;
+    Moisture& operator=(Moisture&&) noexcept;
+
+    /// Number of nodes. Every `node` below is an index less than that; else std::out_of_range, where a call checks it.
     std::size_t size() const { return areas_.size(); }
 
-    /// Puts `mass` kg of water, 0 to 1e6, on the faces of a node.
-    /// @throws std::out_of_range for a node that is not there; std::invalid_argument for a mass out of range, or a node
-    ///     without cloth. The sheet is then as before.
-    void addFilm(std::size_t node, double mass);
+    /// Opens an account for a source. @return its number, for the calls below; 0 is the application's own
+    std::size_t openAccount(std::string name);
 
-    /// Lets the film go into the pores for `dt` seconds: the missing share of each node's pore water falls by
-    /// exp(-dt / wettingTime) as long as its film lasts. Any length of step gives the same while the film lasts.
-    /// @throws std::invalid_argument for a dt that is negative or not finite.
-    void step(double dt);
+    /// Puts `mass` kg of water, 0 to 1e6, on the faces of a node.
+    /// @throws std::out_of_range for a node or account that is not there; std::invalid_argument for a mass out of range, or a
+    ///     node without cloth. The sheet is then as before.
+    void addFilm(std::size_t node, double mass, std::size_t account = 0);
+    /// Puts water into the pores of a node, as far as they are not full, and the rest on its faces. Otherwise as above.
+    void addPores(std::size_t node, double mass, std::size_t account = 0);
+    /// Takes up to `mass` kg off the faces of a node. @return what was there to take. Otherwise as above.
+    double takeFilm(std::size_t node, double mass, std::size_t account = 0);
+    /// Takes up to `mass` kg out of the pores of a node. @return what was there to take. Otherwise as above.
+    double takePores(std::size_t node, double mass, std::size_t account = 0);
+    /// Covers a share of a node's faces, 0 to 1, until the next step has passed: that share does not dry, and a node that is
+    /// covered whole does not drip. Shares add up to at most 1.
+    /// @throws std::out_of_range, std::invalid_argument
+    void cover(std::size_t node, double share);
+
+    /// Lets `dt` seconds pass: water evaporates (or is taken from damp air); film goes into the pores, where the missing share
+    /// falls by exp(-dt / wettingTime) as long as the film lasts; pore water wicks and drains, what pores cannot hold goes to
+    /// the film; the film runs down and drips. Parts of it that need shorter steps take them, or take one implicit step where
+    /// more than eight would be needed: any dt will do.
+    /// @throws std::invalid_argument for a dt that is negative or not finite, heights that are not one a node, a gravity or
+    ///     drying rate below 0, a humidity not in [0, 1).
+    void step(double dt, const Surroundings& surroundings);
+    /// The same for a level sheet without weight, sealed from the air.
+    void step(double dt) { step(dt, Surroundings()); }
+
+    /// What dripped in the last step.
+    const std::vector<Shed>& shed() const { return shed_; }
+
+    /// Longest step in which pore water moves in one explicit step, s; infinite for separate nodes.
+    /// @param gravity  m/s2
+    double explicitBound(double gravity) const;
 
     /// Cloth area of a node, m2.
     double area(std::size_t node) const { return areas_[node]; }
-    /// Pore water that a node can hold, kg: area x Fabric::poreCapacity.
-    double poreCapacity(std::size_t node) const { return poreCapacities_[node]; }
-
+    /// Water that the pores of a node hold when full, kg.
+    double poreCapacity(std::size_t node) const { return capacities_[node]; }
+    /// The same per area of cloth, kg/m2.
+    double poreCapacityPerArea() const { return poreCapacity_; }
+    /// Time constant of the fabric's wetting, s.
+    double wettingTime() const { return wettingTime_; }
     /// Pore water of each node, kg.
     const std::vector<double>& poreMass() const { return poreMass_; }
     /// Film water of each node, both faces together, kg.
@@ -56,17 +104,38 @@ class Moisture {
     double totalPoreMass() const;
     /// Film water of the whole sheet, kg.
     double totalFilmMass() const;
+    /// Pore water over pore capacity of the whole sheet, 0 to 1.
+    double meanSaturation() const;
     /// What came and where it went.
     Ledger ledger() const;
 
+    /// Memory that the sheet's water takes for each node, bytes, without the solver of implicit steps.
+    std::size_t bytesPerNode() const;
+
   private:
+    struct Parts;
+
+    void checkWater(std::size_t node, double mass, std::size_t account) const;
+    void absorb(double dt);
+    void spillOver();
+    void uncover();
+
     double arealDensity_;
     double wettingTime_;
-    std::vector<double> areas_;
-    std::vector<double> poreCapacities_;
+    double poreCapacity_;               // kg/m2
+    std::vector<double> areas_;         // m2
+    std::vector<double> capacities_;    // of the pores, kg
+    std::vector<float> openAreas_;      // m2, that are not covered
+    std::vector<std::size_t> covered_;  // nodes that are, in this step
     std::vector<double> poreMass_;
     std::vector<double> filmMass_;
-    double supplied_ = 0;
+    double thickestFilm_ = 0;  // on any face after absorption, m
+    double largestFilm_ = 0;   // of any node then, kg
+    std::vector<Shed> shed_;
+    std::vector<Account> accounts_;
+    double dripped_ = 0;
+    double evaporated_ = 0;
+    std::unique_ptr<Parts> parts_;  // wicking, film, vapour
 };
 
 }  // namespace drench

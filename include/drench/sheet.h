@@ -3,7 +3,10 @@
 
 #include <BulletSoftBody/btSoftBody.h>
 
+#include <Eigen/Core>
+#include <array>
 #include <memory>
+#include <vector>
 
 #include "drench/fabric.h"
 #include "drench/precision.h"
@@ -41,6 +44,14 @@ Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const bt
 ///     leave a face without area.
 std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
                                       const Corners& corners, int nodesWarp, int nodesWeft);
+
+/// Material coordinates for cloth that is wrapped around something, as a sleeve is, for SheetSettings::faceCoordinates: each
+/// face is laid flat as it is now, the weft along `axis` as far as it lies in the face, the warp around. Across the axis, where
+/// a face lies in neither direction, the weft runs along the face's first side.
+/// @param axis  of any length above 0
+/// @return the three corners of each face, m, each face by itself
+/// @throws std::invalid_argument for an axis that is not finite or has no length
+std::vector<std::array<Eigen::Vector2d, 3>> wrappedCoordinates(const btSoftBody& body, const btVector3& axis);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

@@ -5,14 +5,19 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "drench/air.h"
+#include "drench/drop.h"
 #include "drench/fabric.h"
 #include "drench/ledger.h"
 #include "drench/moisture.h"
 #include "drench/precision.h"
+#include "drench/source.h"
 #include "drench/wet_laws.h"
 
 namespace drench {
@@ -34,7 +39,12 @@ struct SheetSettings {
     /// attach again to a sheet that hangs in folds, give the `materialCoordinates()` of the WetCloth before.
     std::vector<Eigen::Vector2d> materialCoordinates;
 
-    /// How much faster water runs than the body's own time, 1; 0 to 1e5. Default 1.
+    /// Instead, for cloth with seams, such as a sleeve: material coordinates of the three corners of each of the body's faces,
+    /// m. Neighbours need not agree but in the length of the side between them. See `wrappedCoordinates`.
+    std::vector<std::array<Eigen::Vector2d, 3>> faceCoordinates;
+
+    /// How much faster water runs than the body's own time, 1; 0 to 1e5. Default 1. At 60 an hour of drying takes a minute.
+    /// Sources run with the water; what they throw at the body pushes it as in its own time.
     double waterSpeed = 1;
 
     /// Default: by the world.
@@ -43,8 +53,9 @@ struct SheetSettings {
 
 /// The water of one soft body and what it does to it.
 ///
-/// At the start of each of Bullet's substeps film goes into the pores; then node masses (with the momentum that the
-/// water brought), link stiffness in N/m and air forces are rewritten from the water.
+/// At the start of each of Bullet's substeps the sources bring their water; it dries, soaks in, wicks, runs down and drips
+/// (see `Moisture::step`); then node masses (with the momentum that the water brought), link stiffness in N/m and air forces
+/// are rewritten from it.
 ///
 /// What this takes over of the body, and gives back when it ends:
 /// - node masses. Pins (inverse mass 0) stay pins, and may come and go while running;
@@ -85,9 +96,31 @@ class WetCloth {
     WetCloth(const WetCloth&) = delete;
     WetCloth& operator=(const WetCloth&) = delete;
 
-    /// The air around the sheet; change it as you like between steps. Wind does not wake a body that sleeps.
+    /// The air around the sheet; change it as you like between steps. Wind does not wake a body that sleeps. All of the sheet
+    /// dries alike: at the speed of the wind against the cloth's mean velocity, over a length that is the root of its area.
     Air& air();
     const Air& air() const;
+
+    /// Adds a source of water: one of those in sources.h and wet_contact.h, or your own. It works from the next substep on.
+    /// @return the source where it is now, until it is removed; its settings may be changed there
+    template <typename SourceType>
+    SourceType& add(SourceType source) {
+        auto owned = std::make_unique<SourceType>(std::move(source));
+        SourceType& reference = *owned;
+        add(std::unique_ptr<Source>(std::move(owned)));
+        return reference;
+    }
+    /// The same for a source on the heap. @throws std::invalid_argument for none
+    Source& add(std::unique_ptr<Source> source);
+    /// Removes and destroys a source; its account stays. @throws std::invalid_argument for one that is not here
+    void remove(const Source& source);
+
+    /// Brings water and takes it back at any time, in an account of that name; the same name gives the same account. Lives as
+    /// long as the WetCloth.
+    Supply& account(const std::string& name);
+
+    /// Hands over the drops that fell since the last call, oldest first. At most the last 100,000 are kept.
+    std::vector<Drop> takeDrops();
 
     /// Puts water on the faces of one node; it takes part from the next substep on, and wakes the body.
     /// @param mass      kg, 0 to 1e6
@@ -102,6 +135,9 @@ class WetCloth {
     /// @param massPerArea  kg per m2 of cloth, 0 to 1000
     /// @throws std::invalid_argument for a value out of range.
     void soak(double massPerArea);
+
+    /// The same, straight into the pores, as if they had had time to take it up; what they cannot hold is on the faces.
+    void presoak(double massPerArea);
 
     /// Pore and film water of the whole sheet, kg.
     double waterMass() const;
@@ -121,7 +157,7 @@ class WetCloth {
     const Moisture& moisture() const;
     /// What came and where it went.
     Ledger ledger() const;
-    /// Material coordinates of each node, m.
+    /// Material coordinates of each node, m; of a node on a seam, those in the first of its faces.
     const std::vector<Eigen::Vector2d>& materialCoordinates() const;
 
     /// Longest substep at which, with piterations = 1, every stretch and shear link has its stiffness, s of the body's own
@@ -134,14 +170,17 @@ class WetCloth {
     /// sheets may have had theirs, and world.clearForces() is due before the next. The world's step also throws
     /// std::invalid_argument when a plane shape has come that the body can meet. Does nothing while the body is in no
     /// world or no longer exists.
-    /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive and finite;
-    ///     std::runtime_error if a position or velocity of the body, its timescale or the wind is not finite, or if its
-    ///     nodes, links or faces have changed in number. The body is then as before the call.
+    /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive and finite, air
+    ///     or a source's setting out of range, and whatever a source of your own throws; std::runtime_error if a position or
+    ///     velocity of the body, its timescale, the wind or the gravity is not finite, or if its nodes, links or faces have
+    ///     changed in number. The body is then as before the call; of the sources, those before the one that threw have given.
     void preSubstep(btScalar dt);
 
   private:
+    friend class FallingDrops;
+    friend class Touch;
     struct Layer;
-    std::unique_ptr<Layer> layer_;
+    std::shared_ptr<Layer> layer_;  // shared with none but those who watch whether it still is
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -2,7 +2,6 @@
 
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -51,15 +50,6 @@ double meanLinkLength(const RestShape& shape) {
         ++counted;
     }
     return counted > 0 ? total / counted : double(shape.restLengths[0]);
-}
-
-double signedArea(const std::vector<Eigen::Vector2d>& coordinates, const std::array<int, 3>& triangle) {
-    const auto at = [&](std::size_t corner) -> const Eigen::Vector2d& {
-        return coordinates[static_cast<std::size_t>(triangle[corner])];
-    };
-    Eigen::Matrix2d sides;
-    sides << at(1) - at(0), at(2) - at(0);
-    return 0.5 * sides.determinant();
 }
 
 }  // namespace
@@ -132,29 +122,21 @@ void checkDuplicates(const RestShape& shape) {
     }
 }
 
-void checkShape(const RestShape& shape, const std::vector<Eigen::Vector2d>& materialCoordinates) {
-    if (materialCoordinates.size() != shape.nodeAreas.size())
-        refuse("there are ", materialCoordinates.size(), " material coordinates for ", shape.nodeAreas.size(),
-               " nodes; give one (u, v) a node");
-    for (std::size_t n = 0; n < materialCoordinates.size(); ++n)
-        if (!materialCoordinates[n].allFinite())
-            refuse("the material coordinates of node ", n, " are not finite");
+void checkShape(const RestShape& shape, const ClothMesh& mesh) {
     for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
         if (!(shape.triangleAreas[t] > 0))
             refuse("face ", t, " has no area at rest; remove it from the body");
-        const double materialArea = std::abs(signedArea(materialCoordinates, shape.triangles[t]));
+        for (const Eigen::Vector2d& corner : mesh.coordinates[t])
+            if (!corner.allFinite()) refuse("the material coordinates of face ", t, " are not finite");
+        const double materialArea = triangleArea(mesh.coordinates[t]);
         if (materialArea < shape.triangleAreas[t] / 3 || materialArea > shape.triangleAreas[t] * 3)
             refuse("face ", t, " has an area of ", shape.triangleAreas[t], " m2 at rest but ", materialArea,
                    " m2 in material coordinates; for a sheet that is not flat give "
-                   "SheetSettings::materialCoordinates, in "
-                   "metres");
+                   "SheetSettings::materialCoordinates, for one with seams faceCoordinates, in metres");
     }
     for (std::size_t i = 0; i < shape.links.size(); ++i) {
         const auto& nodes = shape.links[i].nodes;
-        const double length = (materialCoordinates[static_cast<std::size_t>(nodes[0])] -
-                               materialCoordinates[static_cast<std::size_t>(nodes[1])])
-                                  .norm();
-        if (!(shape.restLengths[i] > 0) || !std::isfinite(shape.restLengths[i]) || !(length > 0))
+        if (!(shape.restLengths[i] > 0) || !std::isfinite(shape.restLengths[i]))
             refuse("link ", i, " between nodes ", nodes[0], " and ", nodes[1], " has a rest length of ",
                    shape.restLengths[i], " m; remove it, or set its nodes apart");
     }

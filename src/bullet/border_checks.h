@@ -4,9 +4,7 @@
 #include <BulletSoftBody/btSoftBody.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
-#include <Eigen/Core>
-#include <vector>
-
+#include "drench/cloth_mesh.h"
 #include "drench/precision.h"
 #include "rest_shape.h"
 
@@ -29,10 +27,10 @@ void checkContacts(const btSoftBody& body, const RestShape& shape);
 /// @throws std::invalid_argument
 void checkDuplicates(const RestShape& shape);
 
-/// Refuses links of no length, and material coordinates that are not one finite pair a node or in which a
-/// triangle has less than a third or more than three times its area.
+/// Refuses links of no length, faces of no area, and material coordinates that are not finite or in which a triangle has less
+/// than a third or more than three times its area.
 /// @throws std::invalid_argument
-void checkShape(const RestShape& shape, const std::vector<Eigen::Vector2d>& materialCoordinates);
+void checkShape(const RestShape& shape, const ClothMesh& mesh);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "vectors.h"
+
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
@@ -11,10 +13,6 @@ namespace {
 double currentArea(const btSoftBody::Face& face) {
     const btVector3& origin = face.m_n[0]->m_x;
     return 0.5 * double((face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin).length());
-}
-
-Eigen::Vector3d toEigen(const btVector3& v) {
-    return {double(v.x()), double(v.y()), double(v.z())};
 }
 
 }  // namespace
@@ -56,12 +54,19 @@ RestShape restShapeOf(const btSoftBody& body) {
     }
     for (int i = 0; i < body.m_links.size(); ++i) {
         const btSoftBody::Link& link = body.m_links[i];
+        const btScalar length =
+            waiting ? (link.m_n[1]->m_x - link.m_n[0]->m_x).length() : link.m_rl / body.m_restLengthScale;
+        shape.restLengths.push_back(length);
         shape.links.push_back(
-            {{indexOf(body, link.m_n[0]), indexOf(body, link.m_n[1])}, link.m_bbending != 0});
-        shape.restLengths.push_back(waiting ? (link.m_n[1]->m_x - link.m_n[0]->m_x).length()
-                                            : link.m_rl / body.m_restLengthScale);
+            {{indexOf(body, link.m_n[0]), indexOf(body, link.m_n[1])}, link.m_bbending != 0, double(length)});
     }
     return shape;
+}
+
+ClothMesh clothMesh(const RestShape& shape, const std::vector<Eigen::Vector2d>& nodeCoordinates) {
+    ClothMesh mesh = flatMesh(nodeCoordinates, shape.triangles);
+    mesh.areas = shape.nodeAreas;
+    return mesh;
 }
 
 std::vector<Eigen::Vector2d> flattened(const btSoftBody& body) {

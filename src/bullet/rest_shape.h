@@ -39,6 +39,9 @@ void keepPrimed(btSoftBody& body, const RestShape& shape);
 /// Changes nothing.
 RestShape restShapeOf(const btSoftBody& body);
 
+/// The cloth of a body as it is cut, from the material coordinates of its nodes.
+ClothMesh clothMesh(const RestShape& shape, const std::vector<Eigen::Vector2d>& nodeCoordinates);
+
 /// The nodes flattened onto the sheet's best plane, u along its first link.
 std::vector<Eigen::Vector2d> flattened(const btSoftBody& body);
 

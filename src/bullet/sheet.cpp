@@ -1,5 +1,6 @@
 #include "drench/sheet.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "link_order.h"
+#include "vectors.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -155,6 +157,32 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
         worldInfo.m_sparsesdf.Reset();
     }
     return body;
+}
+
+std::vector<std::array<Eigen::Vector2d, 3>> wrappedCoordinates(const btSoftBody& body,
+                                                               const btVector3& axis) {
+    const Eigen::Vector3d along = toEigen(axis).normalized();
+    if (!along.allFinite() || !(along.norm() > 0.5))
+        throw std::invalid_argument("drench: the axis that cloth is wrapped around is (" +
+                                    std::to_string(axis.x()) + ", " + std::to_string(axis.y()) + ", " +
+                                    std::to_string(axis.z()) + "); give a finite direction");
+    std::vector<std::array<Eigen::Vector2d, 3>> coordinates;
+    for (int f = 0; f < body.m_faces.size(); ++f) {
+        const btSoftBody::Face& face = body.m_faces[f];
+        std::array<Eigen::Vector3d, 3> corners;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            corners[corner] = toEigen(face.m_n[corner]->m_x - face.m_n[0]->m_x);
+        const Eigen::Vector3d normal = corners[1].cross(corners[2]).normalized();
+        Eigen::Vector3d weft = along - normal * normal.dot(along);
+        constexpr double square = 1e-3;  // the axis stands square on the face
+        if (weft.norm() < square) weft = corners[1];
+        weft.normalize();
+        const Eigen::Vector3d warp = weft.cross(normal);
+        auto& flat = coordinates.emplace_back();
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            flat[corner] = {corners[corner].dot(warp), corners[corner].dot(weft)};
+    }
+    return coordinates;
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

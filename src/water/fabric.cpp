@@ -87,6 +87,10 @@ void checkRange(const Fabric& fabric, const FabricParameter& parameter) {
                        "; give a value from " + text(parameter.minimum) + " to " + text(parameter.maximum));
 }
 
+// Least bound maximum over regain. A little below it, at 1.54, more than one isotherm of the kind that drying uses
+// passes through both, and below 1.3 none does.
+constexpr double leastBoundOverRegain = 1.6;
+
 }  // namespace
 
 void validate(const Fabric& fabric) {
@@ -100,6 +104,11 @@ void validate(const Fabric& fabric) {
                    " m and fibreDensity " + text(fabric.fibreDensity) + " kg/m3 leave a porosity of " +
                    text(porosity) +
                    "; it must lie between 0.01 and 0.999, so mend the thickness or the areal density");
+    if (fabric.boundMaximum < leastBoundOverRegain * fabric.regain)
+        refuse(fabric, "boundMaximum is " + text(fabric.boundMaximum) + " kg/kg and regain " +
+                           text(fabric.regain) + " kg/kg; boundMaximum must be at least " +
+                           text(leastBoundOverRegain) +
+                           " times regain, so raise boundMaximum or lower regain");
     if (fabric.shear >= fabric.stretchWarp || fabric.shear >= fabric.stretchWeft)
         refuse(fabric, "shear is " + text(fabric.shear) +
                            " N/m; it must be smaller than stretchWarp and stretchWeft, which contain it");

@@ -16,32 +16,44 @@ NodePair pairOf(int a, int b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
-/// The one or two triangles at an edge.
-struct EdgeTriangles {
-    double area = 0;             // of both together
-    std::vector<int> opposites;  // the node of each triangle that is not on the edge
+/// A triangle as seen from one of its edges, in its own material coordinates.
+struct Beside {
+    int opposite;                    // its node that is not on the edge
+    Eigen::Vector2d from, to, apex;  // ends of the edge, lower node first, and the opposite corner
 };
 
-double triangleArea(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-    Eigen::Matrix2d sides;
-    sides << b - a, c - a;
-    return 0.5 * std::abs(sides.determinant());
-}
+/// The one or two triangles at an edge.
+struct EdgeTriangles {
+    double area = 0;  // of both together
+    std::vector<Beside> beside;
+};
 
-std::map<NodePair, EdgeTriangles> edgesOf(const std::vector<Eigen::Vector2d>& coordinates,
-                                          const std::vector<std::array<int, 3>>& triangles) {
+std::map<NodePair, EdgeTriangles> edgesOf(const ClothMesh& mesh) {
     std::map<NodePair, EdgeTriangles> edges;
-    for (const auto& t : triangles) {
-        const double area = triangleArea(coordinates[static_cast<std::size_t>(t[0])],
-                                         coordinates[static_cast<std::size_t>(t[1])],
-                                         coordinates[static_cast<std::size_t>(t[2])]);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& nodes = mesh.triangles[t];
+        const auto& corners = mesh.coordinates[t];
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            EdgeTriangles& edge = edges[pairOf(t[corner], t[(corner + 1) % 3])];
-            edge.area += area;
-            edge.opposites.push_back(t[(corner + 2) % 3]);
+            std::size_t from = corner, to = (corner + 1) % 3;
+            const std::size_t apex = (corner + 2) % 3;
+            if (nodes[from] > nodes[to]) std::swap(from, to);
+            EdgeTriangles& edge = edges[{nodes[from], nodes[to]}];
+            edge.area += triangleArea(corners);
+            edge.beside.push_back({nodes[apex], corners[from], corners[to], corners[apex]});
         }
     }
     return edges;
+}
+
+/// Apex of the second triangle at an edge once it is laid beside the first; at a seam they lie apart.
+Eigen::Vector2d laidBeside(const Beside& first, const Beside& second) {
+    const auto across = [](const Eigen::Vector2d& v) { return Eigen::Vector2d(-v.y(), v.x()); };
+    const Eigen::Vector2d along = (first.to - first.from).normalized();
+    const Eigen::Vector2d otherAlong = (second.to - second.from).normalized();
+    const Eigen::Vector2d offset = second.apex - second.from;
+    const double side = (first.apex - first.from).dot(across(along)) > 0 ? -1 : 1;
+    return first.from + along * offset.dot(otherAlong) +
+           across(along) * side * std::abs(offset.dot(across(otherAlong)));
 }
 
 /// Whether the open segments a-b and c-d cross; touching ends do not count.
@@ -66,49 +78,54 @@ double directionalStiffness(const Fabric& fabric, const Eigen::Vector2d& along) 
            4 * shear * (1 - straight);
 }
 
+/// A link along which `area` of cloth is stretched.
+LinkStiffness stretchLink(const Fabric& fabric, const Eigen::Vector2d& along, double area) {
+    return {LinkKind::stretch, directionalStiffness(fabric, along) * area / along.squaredNorm()};
+}
+
 }  // namespace
 
-std::vector<LinkStiffness> linkStiffness(const Fabric& fabric,
-                                         const std::vector<Eigen::Vector2d>& coordinates,
-                                         const std::vector<std::array<int, 3>>& triangles,
+std::vector<LinkStiffness> linkStiffness(const Fabric& fabric, const ClothMesh& mesh,
                                          const std::vector<LinkNodes>& links) {
-    const auto edges = edgesOf(coordinates, triangles);
-    const auto at = [&](int node) -> const Eigen::Vector2d& {
-        return coordinates[static_cast<std::size_t>(node)];
+    const auto edges = edgesOf(mesh);
+
+    // Where a link joins the far corners of two neighbouring triangles: the edge between them, and its own direction.
+    struct Crossing {
+        NodePair edge;
+        Eigen::Vector2d along;
     };
-
-    // Where a link joins the far corners of two neighbouring triangles: the edge between them that it
-    // crosses.
-    std::map<NodePair, NodePair> crossedEdges;
-    for (const auto& [edge, beside] : edges)
-        if (beside.opposites.size() == 2 &&
-            cross(at(edge.first), at(edge.second), at(beside.opposites[0]), at(beside.opposites[1])))
-            crossedEdges.emplace(pairOf(beside.opposites[0], beside.opposites[1]), edge);
-
-    // Area that stands behind each link; 0 where it follows no triangle.
-    std::vector<double> areas(links.size(), 0.0);
-    std::map<NodePair, int> crossings;
-    for (std::size_t i = 0; i < links.size(); ++i) {
-        if (links[i].bending) continue;
-        const NodePair nodes = pairOf(links[i].nodes[0], links[i].nodes[1]);
-        if (const auto edge = edges.find(nodes); edge != edges.end()) {
-            areas[i] = edge->second.area;
-        } else if (const auto crossed = crossedEdges.find(nodes); crossed != crossedEdges.end()) {
-            areas[i] = 0.5 * edges.at(crossed->second).area;
-            ++crossings[crossed->second];
-        }
+    std::map<NodePair, Crossing> crossings;
+    for (const auto& [edge, triangles] : edges) {
+        if (triangles.beside.size() != 2) continue;
+        const Beside &first = triangles.beside[0], &second = triangles.beside[1];
+        const Eigen::Vector2d apex = laidBeside(first, second);
+        if (cross(first.from, first.to, first.apex, apex))
+            crossings.emplace(pairOf(first.opposite, second.opposite), Crossing{edge, apex - first.apex});
     }
 
-    std::vector<LinkStiffness> result(links.size());
-    for (std::size_t i = 0; i < links.size(); ++i) {
-        const Eigen::Vector2d along = at(links[i].nodes[1]) - at(links[i].nodes[0]);
-        const double length2 = along.squaredNorm();
-        if (areas[i] > 0) {
-            const bool shared = crossings.count(pairOf(links[i].nodes[0], links[i].nodes[1])) > 0;
-            result[i] = {LinkKind::stretch,
-                         directionalStiffness(fabric, along) * areas[i] * (shared ? 0.5 : 1.0) / length2};
+    // How many links share the area of an edge: its own, if there is one, and one across it.
+    std::map<NodePair, int> crossed;
+    for (const LinkNodes& link : links) {
+        const NodePair nodes = pairOf(link.nodes[0], link.nodes[1]);
+        if (link.bending || edges.count(nodes) > 0) continue;
+        if (const auto crossing = crossings.find(nodes); crossing != crossings.end())
+            ++crossed[crossing->second.edge];
+    }
+
+    std::vector<LinkStiffness> result;
+    for (const LinkNodes& link : links) {
+        const NodePair nodes = pairOf(link.nodes[0], link.nodes[1]);
+        const auto edge = edges.find(nodes);
+        const auto crossing = crossings.find(nodes);
+        if (!link.bending && edge != edges.end()) {
+            const Beside& beside = edge->second.beside[0];
+            const double share = crossed.count(nodes) > 0 ? 0.5 : 1.0;
+            result.push_back(stretchLink(fabric, beside.to - beside.from, share * edge->second.area));
+        } else if (!link.bending && crossing != crossings.end()) {
+            const double area = 0.5 * edges.at(crossing->second.edge).area;
+            result.push_back(stretchLink(fabric, crossing->second.along, area));
         } else {
-            result[i] = {LinkKind::bending, 36 * fabric.bending / length2};
+            result.push_back({LinkKind::bending, 36 * fabric.bending / (link.length * link.length)});
         }
     }
     return result;

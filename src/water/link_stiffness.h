@@ -1,10 +1,10 @@
 // Stiffness of each link of a sheet in N/m, from the fabric and the sheet's material coordinates.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <vector>
 
+#include "drench/cloth_mesh.h"
 #include "drench/fabric.h"
 
 namespace drench {
@@ -15,7 +15,8 @@ enum class LinkKind { stretch, bending };
 /// A link between two nodes, as a body has it.
 struct LinkNodes {
     std::array<int, 2> nodes;
-    bool bending;  ///< the body marks it as a bending link
+    bool bending;   ///< the body marks it as a bending link
+    double length;  ///< at rest, m
 };
 
 /// Dry stiffness of a link.
@@ -36,11 +37,8 @@ struct LinkStiffness {
 /// Every other link, and those marked as bending, gets 36 B / length^2: as a chord over two cells it then
 /// stores the energy of a bend of one radian a cell (assumed; a chord has no stiffness at small angles).
 ///
-/// @param coordinates  material coordinates (u, v) of each node, m
-/// @param triangles    node indices of each triangle
-std::vector<LinkStiffness> linkStiffness(const Fabric& fabric,
-                                         const std::vector<Eigen::Vector2d>& coordinates,
-                                         const std::vector<std::array<int, 3>>& triangles,
+/// @param mesh  of the sheet that the links hold together
+std::vector<LinkStiffness> linkStiffness(const Fabric& fabric, const ClothMesh& mesh,
                                          const std::vector<LinkNodes>& links);
 
 }  // namespace drench

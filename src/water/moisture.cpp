@@ -4,33 +4,88 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
-#include <string>
 
 #include "drench/water.h"
+#include "film_flow.h"
+#include "vapour_exchange.h"
+#include "wicking.h"
 
 namespace drench {
 
-Moisture::Moisture(const Fabric& fabric, std::vector<double> areas)
-    : arealDensity_(fabric.arealDensity),
-      wettingTime_(fabric.wettingTime),
-      areas_(std::move(areas)),
-      poreMass_(areas_.size(), 0.0),
-      filmMass_(areas_.size(), 0.0) {
-    validate(fabric);
-    poreCapacities_.reserve(areas_.size());
-    for (std::size_t node = 0; node < areas_.size(); ++node) {
-        if (!(areas_[node] >= 0) || !std::isfinite(areas_[node]))
-            throw std::invalid_argument("drench: node " + std::to_string(node) + " has an area of " +
-                                        std::to_string(areas_[node]) +
-                                        " m2; give a third of its rest triangles, at least 0");
-        poreCapacities_.push_back(areas_[node] * fabric.poreCapacity());
-    }
+namespace {
+
+constexpr std::size_t airAccount = 1;
+
+void checkStep(double dt, const Surroundings& surroundings, std::size_t nodes) {
+    const auto refuse = [](const std::string& what) { throw std::invalid_argument("drench: " + what); };
+    if (!(dt >= 0) || !std::isfinite(dt))
+        refuse("a water step of " + std::to_string(dt) + " s; give a finite time of at least 0 s");
+    if (!surroundings.heights.empty() && surroundings.heights.size() != nodes)
+        refuse("there are heights for " + std::to_string(surroundings.heights.size()) + " nodes of " +
+               std::to_string(nodes) + "; give one a node, or none");
+    if (!(surroundings.gravity >= 0 && surroundings.gravity <= 1e4))
+        refuse("a gravity of " + std::to_string(surroundings.gravity) + " m/s2; give 0 to 10000");
+    if (!(surroundings.dryingRate >= 0 && surroundings.dryingRate <= 1))
+        refuse("a drying rate of " + std::to_string(surroundings.dryingRate) +
+               " kg/(m2 s); give 0 to 1, as evaporation() does");
+    if (!(surroundings.humidity >= 0 && surroundings.humidity < 1))
+        refuse("a humidity of " + std::to_string(surroundings.humidity) + "; give 0 to below 1");
 }
 
-void Moisture::addFilm(std::size_t node, double mass) {
+const Fabric& validated(const Fabric& fabric) {
+    validate(fabric);
+    return fabric;
+}
+const ClothMesh& validated(const ClothMesh& mesh) {
+    validate(mesh);
+    return mesh;
+}
+
+}  // namespace
+
+/// What moves the water, in the order of the step.
+struct Moisture::Parts {
+    Parts(const Fabric& fabric, const ClothMesh& mesh)
+        : vapour(fabric, mesh), wicking(fabric, mesh), film(mesh), level(mesh.size(), 0.0f) {}
+
+    VapourExchange vapour;
+    Wicking wicking;
+    FilmFlow film;
+    std::vector<float> level;  // heights of a sheet that has none
+};
+
+Moisture::Moisture(const Fabric& fabric, const ClothMesh& mesh)
+    : arealDensity_(validated(fabric).arealDensity),
+      wettingTime_(fabric.wettingTime),
+      poreCapacity_(fabric.poreCapacity()),
+      areas_(validated(mesh).areas),
+      poreMass_(mesh.size(), 0.0),
+      filmMass_(mesh.size(), 0.0),
+      parts_(std::make_unique<Parts>(fabric, mesh)) {
+    for (const double area : areas_) {
+        openAreas_.push_back(static_cast<float>(area));
+        capacities_.push_back(area * poreCapacity_);
+    }
+    openAccount("application");
+    openAccount("humid air");
+}
+
+Moisture::~Moisture() = default;
+Moisture::Moisture(Moisture&&) noexcept = default;
+Moisture& Moisture::operator=(Moisture&&) noexcept = default;
+
+std::size_t Moisture::openAccount(std::string name) {
+    accounts_.push_back({std::move(name), 0, 0});
+    return accounts_.size() - 1;
+}
+
+void Moisture::checkWater(std::size_t node, double mass, std::size_t account) const {
     if (node >= size())
         throw std::out_of_range("drench: node " + std::to_string(node) + " of a sheet with " +
                                 std::to_string(size()) + " nodes; give 0 to " + std::to_string(size() - 1));
+    if (account >= accounts_.size())
+        throw std::out_of_range("drench: account " + std::to_string(account) + " of " +
+                                std::to_string(accounts_.size()) + "; give one that openAccount() returned");
     constexpr double most = 1e6;  // keeps sums finite in single-precision Bullet
     if (!(mass >= 0 && mass <= most))
         throw std::invalid_argument("drench: " + std::to_string(mass) + " kg of water for node " +
@@ -38,26 +93,115 @@ void Moisture::addFilm(std::size_t node, double mass) {
     if (areas_[node] == 0)
         throw std::invalid_argument("drench: node " + std::to_string(node) +
                                     " belongs to no triangle and has no cloth to wet");
-    filmMass_[node] += mass;
-    supplied_ += mass;
 }
 
-void Moisture::step(double dt) {
-    if (!(dt >= 0) || !std::isfinite(dt))
-        throw std::invalid_argument("drench: a water step of " + std::to_string(dt) +
-                                    " s; give a finite time of at least 0 s");
-    // The exponential approach to saturation of physics' absorption law, and of AATCC 79's drop test.
+void Moisture::addFilm(std::size_t node, double mass, std::size_t account) {
+    checkWater(node, mass, account);
+    filmMass_[node] += mass;
+    accounts_[account].supplied += mass;
+}
+
+void Moisture::addPores(std::size_t node, double mass, std::size_t account) {
+    checkWater(node, mass, account);
+    const double taken = std::clamp(capacities_[node] - poreMass_[node], 0.0, mass);
+    poreMass_[node] += taken;
+    filmMass_[node] += mass - taken;
+    accounts_[account].supplied += mass;
+}
+
+double Moisture::takeFilm(std::size_t node, double mass, std::size_t account) {
+    checkWater(node, mass, account);
+    const double taken = std::min(mass, filmMass_[node]);
+    filmMass_[node] -= taken;
+    accounts_[account].returned += taken;
+    return taken;
+}
+
+double Moisture::takePores(std::size_t node, double mass, std::size_t account) {
+    checkWater(node, mass, account);
+    const double taken = std::min(mass, poreMass_[node]);
+    poreMass_[node] -= taken;
+    accounts_[account].returned += taken;
+    return taken;
+}
+
+void Moisture::cover(std::size_t node, double share) {
+    checkWater(node, 0, 0);
+    if (!(share >= 0 && share <= 1))
+        throw std::invalid_argument("drench: a covered share of " + std::to_string(share) + " for node " +
+                                    std::to_string(node) + "; give 0 to 1");
+    if (share == 0) return;
+    openAreas_[node] = std::max(openAreas_[node] - static_cast<float>(share * areas_[node]), 0.0f);
+    covered_.push_back(node);
+}
+
+void Moisture::uncover() {
+    for (const std::size_t node : covered_) openAreas_[node] = static_cast<float>(areas_[node]);
+    covered_.clear();
+}
+
+void Moisture::step(double dt, const Surroundings& surroundings) {
+    checkStep(dt, surroundings, size());
+    const double gravity = surroundings.heights.empty() ? 0.0 : surroundings.gravity;
+    const std::vector<float>& heights = surroundings.heights.empty() ? parts_->level : surroundings.heights;
+    shed_.clear();
+    if (dt > 0 && surroundings.dryingRate > 0) {
+        const auto vapour = parts_->vapour.exchange(dt, surroundings.dryingRate, surroundings.humidity,
+                                                    openAreas_, poreMass_, filmMass_);
+        evaporated_ += vapour.evaporated;
+        accounts_[airAccount].supplied += vapour.condensed;
+    }
+    absorb(dt);
+    parts_->wicking.step(dt, heights, gravity, capacities_, poreMass_);
+    spillOver();
+    if (dt > 0 && gravity > 0) {
+        parts_->film.run(dt, heights, gravity, thickestFilm_, filmMass_);
+        if (largestFilm_ >= dropMass) parts_->film.drip(heights, openAreas_, filmMass_, shed_);
+        for (const Shed& shed : shed_) dripped_ += double(shed.drops) * dropMass;
+    }
+    uncover();
+}
+
+/// The exponential approach to saturation.
+void Moisture::absorb(double dt) {
     const double share = -std::expm1(-dt / wettingTime_);
-    for (std::size_t node = 0; node < size(); ++node) {
-        const double missing = poreCapacities_[node] - poreMass_[node];
-        const double absorbed = std::min(filmMass_[node], missing * share);
-        poreMass_[node] += absorbed;
-        filmMass_[node] -= absorbed;
+    const double* capacity = capacities_.data();
+    double *pore = poreMass_.data(), *film = filmMass_.data();
+#pragma omp simd
+    for (std::size_t n = 0; n < poreMass_.size(); ++n) {
+        const double there = film[n], missing = std::max(capacity[n] - pore[n], 0.0);
+        const double absorbed = std::min(there, missing * share);
+        pore[n] += absorbed;
+        film[n] = there - absorbed;
     }
 }
 
+/// What pores cannot hold comes out of them.
+void Moisture::spillOver() {
+    const double* capacity = capacities_.data();
+    double *pore = poreMass_.data(), *film = filmMass_.data();
+    float thickest = 0;
+    double largest = 0;
+#pragma omp simd reduction(max : thickest, largest)
+    for (std::size_t n = 0; n < poreMass_.size(); ++n) {
+        const double surplus = std::max(pore[n] - capacity[n], 0.0);
+        pore[n] -= surplus;
+        const double onFaces = film[n] + surplus;
+        film[n] = onFaces;
+        largest = std::max(largest, onFaces);
+        const float thickness = static_cast<float>(onFaces) / (static_cast<float>(capacity[n]) + 1e-30f);
+        thickest = std::max(thickest, thickness);
+    }
+    largestFilm_ = largest;
+    thickestFilm_ = double(thickest) * poreCapacity_ / (2 * waterDensity);
+}
+
+double Moisture::explicitBound(double gravity) const {
+    return parts_->wicking.explicitBound(gravity);
+}
+
 double Moisture::saturation(std::size_t node) const {
-    return poreCapacities_[node] > 0 ? poreMass_[node] / poreCapacities_[node] : 0.0;
+    return areas_[node] > 0 ? std::min(poreMass_[node] / capacities_[node], 1.0) : 0.0;
 }
 
 double Moisture::content(std::size_t node) const {
@@ -76,10 +220,28 @@ double Moisture::totalFilmMass() const {
     return std::accumulate(filmMass_.begin(), filmMass_.end(), 0.0);
 }
 
+double Moisture::meanSaturation() const {
+    const double area = std::accumulate(areas_.begin(), areas_.end(), 0.0);
+    return area > 0 ? totalPoreMass() / (area * poreCapacity_) : 0.0;
+}
+
+std::size_t Moisture::bytesPerNode() const {
+    if (size() == 0) return 0;
+    constexpr std::size_t own = 4 * sizeof(double) + sizeof(float);  // areas, capacities, stores; open areas
+    const std::size_t parts = parts_->vapour.bytes() + parts_->wicking.bytes() + parts_->film.bytes();
+    return own + parts / size() + sizeof(float);  // and heights
+}
+
 Ledger Moisture::ledger() const {
     Ledger ledger;
-    ledger.supplied = supplied_;
+    for (const Account& account : accounts_) {
+        ledger.supplied += account.supplied;
+        ledger.returned += account.returned;
+    }
     ledger.held = totalPoreMass() + totalFilmMass();
+    ledger.dripped = dripped_;
+    ledger.evaporated = evaporated_;
+    ledger.accounts = accounts_;
     return ledger;
 }
 

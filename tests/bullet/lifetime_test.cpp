@@ -125,6 +125,7 @@ struct Ending {
     Ending() {
         world->world().addSoftBody(body.get());
         cloth = std::make_unique<WetCloth>(world->world(), *body, fabrics::cottonPlain());
+        cloth->air().vapourExchange = 0;
         cloth->soak(0.1);
         world->step(0.05, 10);
     }

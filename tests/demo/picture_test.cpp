@@ -38,10 +38,7 @@ class Portrait {
     ~Portrait() { bullet_.world().removeSoftBody(sheet_.get()); }
 
     /// Takes up this share of saturation more.
-    void absorb(double share) {
-        cloth_->soak(share * fabric_.poreCapacity());
-        cloth_->preSubstep(btScalar(1e4));
-    }
+    void absorb(double share) { cloth_->presoak(share * fabric_.poreCapacity()); }
 
     viewer::Picture picture() const {
         viewer::Picture picture;

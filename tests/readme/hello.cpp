@@ -26,7 +26,8 @@ int main() {
 
     for (int frame = 0; frame < 120; ++frame)
         world.stepSimulation(1.f / 60, 40, 1.f / 1920);  // nothing else changes
-    std::printf("%.3f kg of cloth holds %.3f kg of water, %.3f kg of it in its pores\n", cloth.dryMass(),
-                cloth.waterMass(), cloth.moisture().totalPoreMass());
+    const drench::Ledger water = cloth.ledger();
+    std::printf("%.4f kg supplied = %.4f held + %.4f dripped + %.4f evaporated\n", water.supplied, water.held,
+                water.dripped, water.evaporated);
     world.removeSoftBody(sheet.get());
 }

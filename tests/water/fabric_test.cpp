@@ -59,6 +59,13 @@ TEST(Fabric, ParametersThatContradictEachOtherAreRefused) {
     solid.thickness = 0.05e-3;  // less than the fibres alone take up
     EXPECT_NE(refusalOf(solid).find("porosity"), std::string::npos);
 
+    Fabric thirsty = fabrics::cottonPlain();
+    thirsty.regain = 0.15;  // 0.22 is only 1.47 times that
+    EXPECT_NE(refusalOf(thirsty).find("boundMaximum is 0.22"), std::string::npos) << refusalOf(thirsty);
+    EXPECT_NE(refusalOf(thirsty).find("regain 0.15"), std::string::npos) << refusalOf(thirsty);
+    thirsty.regain = 0.22 / 1.61;
+    EXPECT_EQ(refusalOf(thirsty), "");
+
     Fabric stiffInShear = fabrics::cottonPlain();
     stiffInShear.shear = 2000;
     EXPECT_NE(refusalOf(stiffInShear).find("shear"), std::string::npos);

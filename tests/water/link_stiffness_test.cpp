@@ -14,6 +14,11 @@ struct Grid {
     std::vector<Eigen::Vector2d> coordinates;
     std::vector<std::array<int, 3>> triangles;
     std::vector<LinkNodes> links;
+
+    void link(int a, int b, bool bending) {
+        const double length = (coordinates[std::size_t(b)] - coordinates[std::size_t(a)]).norm();
+        links.push_back({{a, b}, bending, length});
+    }
 };
 
 /// n x n nodes, spacing a, both diagonals in each cell unless `crossed` is false.
@@ -24,13 +29,13 @@ Grid grid(int n, double a, bool crossed = true) {
         for (int i = 0; i < n; ++i) g.coordinates.emplace_back(a * i, a * j);
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
-            if (i + 1 < n) g.links.push_back({{node(i, j), node(i + 1, j)}, false});
-            if (j + 1 < n) g.links.push_back({{node(i, j), node(i, j + 1)}, false});
+            if (i + 1 < n) g.link(node(i, j), node(i + 1, j), false);
+            if (j + 1 < n) g.link(node(i, j), node(i, j + 1), false);
             if (i + 1 == n || j + 1 == n) continue;
             g.triangles.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1)});
             g.triangles.push_back({node(i, j), node(i + 1, j + 1), node(i, j + 1)});
-            g.links.push_back({{node(i, j), node(i + 1, j + 1)}, false});
-            if (crossed) g.links.push_back({{node(i + 1, j), node(i, j + 1)}, false});
+            g.link(node(i, j), node(i + 1, j + 1), false);
+            if (crossed) g.link(node(i + 1, j), node(i, j + 1), false);
         }
     return g;
 }
@@ -61,7 +66,7 @@ Fabric unequal() {
 
 TEST(LinkStiffness, AGridWithCrossedDiagonalsHasTheStiffnessOfItsFabric) {
     const Grid g = grid(3, 0.02);
-    const auto stiffness = linkStiffness(unequal(), g.coordinates, g.triangles, g.links);
+    const auto stiffness = linkStiffness(unequal(), flatMesh(g.coordinates, g.triangles), g.links);
     for (std::size_t i = 0; i < g.links.size(); ++i) {
         const Eigen::Vector2d from = g.coordinates[std::size_t(g.links[i].nodes[0])];
         const Eigen::Vector2d along = g.coordinates[std::size_t(g.links[i].nodes[1])] - from;
@@ -81,7 +86,7 @@ TEST(LinkStiffness, AUniformStrainCostsWhatItCostsTheFabric) {
     // weft, and shear.
     for (const bool crossed : {true, false}) {
         const Grid g = grid(9, 0.02, crossed);
-        const auto stiffness = linkStiffness(unequal(), g.coordinates, g.triangles, g.links);
+        const auto stiffness = linkStiffness(unequal(), flatMesh(g.coordinates, g.triangles), g.links);
         constexpr double area = 0.16 * 0.16, small = 1e-3;
         EXPECT_NEAR(energyPerArea(g, stiffness, {small, 0, 0}, area), 0.5 * 1500 * small * small, 1e-9);
         EXPECT_NEAR(energyPerArea(g, stiffness, {0, small, 0}, area), 0.5 * 700 * small * small, 1e-9);
@@ -101,7 +106,7 @@ TEST(LinkStiffness, AnIrregularMeshOfEvenFabricIsEvenToo) {
     for (auto& c : g.coordinates)
         if (c.x() > 1e-9 && c.x() < 0.2 - 1e-9 && c.y() > 1e-9 && c.y() < 0.2 - 1e-9)
             c += Eigen::Vector2d(shift(random), shift(random));
-    const auto stiffness = linkStiffness(even, g.coordinates, g.triangles, g.links);
+    const auto stiffness = linkStiffness(even, flatMesh(g.coordinates, g.triangles), g.links);
     const double warp = energyPerArea(g, stiffness, {1e-3, 0, 0}, 0.04);
     const double weft = energyPerArea(g, stiffness, {0, 1e-3, 0}, 0.04);
     EXPECT_NEAR(warp / weft, 1.0, 0.03);
@@ -110,9 +115,9 @@ TEST(LinkStiffness, AnIrregularMeshOfEvenFabricIsEvenToo) {
 
 TEST(LinkStiffness, ChordsOverTwoCellsBendAndDoNotStretch) {
     Grid g = grid(3, 0.02);
-    g.links.push_back({{0, 2}, true});   // marked by the body
-    g.links.push_back({{0, 6}, false});  // not marked, but along no triangle and across none
-    const auto stiffness = linkStiffness(unequal(), g.coordinates, g.triangles, g.links);
+    g.link(0, 2, true);   // marked by the body
+    g.link(0, 6, false);  // not marked, but along no triangle and across none
+    const auto stiffness = linkStiffness(unequal(), flatMesh(g.coordinates, g.triangles), g.links);
     for (std::size_t i = g.links.size() - 2; i < g.links.size(); ++i) {
         EXPECT_EQ(stiffness[i].kind, LinkKind::bending);
         EXPECT_NEAR(stiffness[i].dry, 36 * 1.16e-5 / (0.04 * 0.04), 1e-9);

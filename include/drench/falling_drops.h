@@ -1,0 +1,74 @@
+// Drops on their way down: from a sheet to another sheet, a body or the ground.
+#pragma once
+
+#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "drench/drop.h"
+#include "drench/precision.h"
+#include "drench/wet_cloth.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+/// Takes the drops of some sheets, lets them fall freely, and wets the sheet on which they land, with their momentum, in its
+/// account "drops". Optional: an application may as well draw the drops of WetCloth::takeDrops itself, or ignore them.
+class FallingDrops {
+  public:
+    /// A drop, or several that fall together, in the air.
+    struct Flight {
+        Eigen::Vector3d position;  ///< m
+        Eigen::Vector3d velocity;  ///< m/s
+        double mass;               ///< of all of it, kg
+        double age;                ///< since it let go, s
+    };
+    /// A drop that landed on something other than a sheet of these.
+    struct Landing {
+        Eigen::Vector3d position;         ///< m
+        double mass;                      ///< kg
+        const btCollisionObject* object;  ///< what it landed on
+    };
+
+    /// @param world  that the sheets are in; must outlive this
+    explicit FallingDrops(btSoftRigidDynamicsWorld& world);
+    ~FallingDrops();
+    FallingDrops(const FallingDrops&) = delete;
+    FallingDrops& operator=(const FallingDrops&) = delete;
+
+    /// Drops fall from this sheet from now on, and land on it. It may end at any time. @pre its world is this one's
+    void add(WetCloth& cloth);
+
+    /// Takes new drops and moves all for `dt` seconds; call it once a frame, after the world's step. Solid bodies are met by
+    /// Bullet's ray test, sheets face by face. A drop that has fallen for 20 s is lost.
+    /// @throws std::invalid_argument for a dt that is negative or not finite
+    void step(double dt);
+
+    /// Drops in the air, oldest first.
+    const std::vector<Flight>& inFlight() const { return flights_; }
+    /// What landed in the last step elsewhere than on a sheet.
+    const std::vector<Landing>& landed() const { return landed_; }
+    /// Of all drops that were taken: what landed on sheets, landed elsewhere, and was lost, kg.
+    double massOnSheets() const { return massOnSheets_; }
+    double massElsewhere() const { return massElsewhere_; }
+    double massLost() const { return massLost_; }
+
+  private:
+    struct Sheets;
+
+    void takeDrops();
+    bool land(const Flight& flight, const Eigen::Vector3d& to);
+
+    btSoftRigidDynamicsWorld& world_;
+    std::unique_ptr<Sheets> sheets_;
+    std::vector<Flight> flights_;
+    std::vector<Landing> landed_;
+    double massOnSheets_ = 0;
+    double massElsewhere_ = 0;
+    double massLost_ = 0;
+};
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,288 @@
+#include "layer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "border_checks.h"
+#include "drench/drying.h"
+#include "drench/water.h"
+#include "link_constants.h"
+#include "vectors.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+constexpr std::size_t mostDropsKept = 100000;
+
+double checkedWaterSpeed(double waterSpeed) {
+    if (waterSpeed >= 0 && waterSpeed <= 1e5) return waterSpeed;
+    throw std::invalid_argument("drench: SheetSettings::waterSpeed is " + std::to_string(waterSpeed) +
+                                "; give a value from 0 to 100000");
+}
+
+RestShape checkedShape(btSoftRigidDynamicsWorld& world, const btSoftBody& body) {
+    checkBody(body);
+    RestShape shape = restShapeOf(body);
+    checkDuplicates(shape);
+    checkContacts(body, shape);
+    checkPlanes(world, body);
+    return shape;
+}
+
+void checkCount(const char* setting, std::size_t given, const char* parts, std::size_t wanted) {
+    if (given == wanted) return;
+    throw std::invalid_argument("drench: WetCloth: SheetSettings::" + std::string(setting) + " has " +
+                                std::to_string(given) + " material coordinates for " +
+                                std::to_string(wanted) + " " + parts + "; give as many, or none");
+}
+
+ClothMesh checkedMesh(const SheetSettings& settings, const btSoftBody& body, const RestShape& shape) {
+    ClothMesh mesh;
+    if (!settings.faceCoordinates.empty()) {
+        if (!settings.materialCoordinates.empty())
+            throw std::invalid_argument(
+                "drench: WetCloth: SheetSettings has materialCoordinates and faceCoordinates; give one of "
+                "them");
+        checkCount("faceCoordinates", settings.faceCoordinates.size(), "faces", shape.triangles.size());
+        mesh = {shape.nodeAreas, shape.triangles, settings.faceCoordinates};
+    } else if (!settings.materialCoordinates.empty()) {
+        checkCount("materialCoordinates", settings.materialCoordinates.size(), "nodes",
+                   shape.nodeAreas.size());
+        mesh = clothMesh(shape, settings.materialCoordinates);
+    } else {
+        mesh = clothMesh(shape, flattened(body));
+    }
+    checkShape(shape, mesh);
+    return mesh;
+}
+
+std::vector<Eigen::Vector2d> nodeCoordinates(const ClothMesh& mesh) {
+    std::vector<Eigen::Vector2d> coordinates(mesh.size(), Eigen::Vector2d::Zero());
+    for (std::size_t t = mesh.triangles.size(); t-- > 0;)  // so that the first face has the last word
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            coordinates[static_cast<std::size_t>(mesh.triangles[t][corner])] = mesh.coordinates[t][corner];
+    return coordinates;
+}
+
+}  // namespace
+
+WetCloth::Layer::Layer(btSoftRigidDynamicsWorld& aWorld, btSoftBody& sheet, const Fabric& fabric,
+                       const SheetSettings& settings)
+    : world(aWorld),
+      body(sheet),
+      stepping(settings.stepping),
+      waterSpeed(checkedWaterSpeed(settings.waterSpeed)),
+      shape(checkedShape(world, body)),
+      mesh(checkedMesh(settings, body, shape)),
+      coordinates(nodeCoordinates(mesh)),
+      totalArea(std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0)),
+      laws(fabric),
+      moisture(fabric, mesh),
+      // From here on nothing refuses, and the body may change.
+      watch(body),
+      taken(body, shape),
+      shelter(world),
+      dryStiffness(linkStiffness(fabric, mesh, shape.links)),
+      airForces(shape),
+      application(moisture, arrivals, body, watch, 0, 1),
+      pose(mesh),
+      arrivals(shape.nodeAreas.size()),
+      masses(shape.nodeAreas.size()),
+      saturations(shape.nodeAreas.size()),
+      stretchRatios(shape.nodeAreas.size()),
+      bendingRatios(shape.nodeAreas.size()),
+      stiffness(shape.links.size()) {
+    evaluateLaws();
+    writeMasses(body, masses);
+    body.updateLinkConstants();  // fit for the masses, until the first substep brings those of the fabric
+    if (stepping == Stepping::byWorld) listenToPreTick(world, *this);
+}
+
+WetCloth::Layer::~Layer() {
+    if (stepping == Stepping::byWorld) stopListeningToPreTick(world, *this);
+    if (!watch.bodyIsAlive()) return;
+    std::vector<double> dryMasses;
+    for (const double area : shape.nodeAreas) dryMasses.push_back(laws.mass(area, 0));
+    taken.giveBack(body, dryMasses);
+}
+
+std::size_t WetCloth::Layer::checkedNode(int node) const {
+    if (node >= 0 && node < static_cast<int>(masses.size())) return static_cast<std::size_t>(node);
+    throw std::out_of_range("drench: node " + std::to_string(node) + " of a sheet with " +
+                            std::to_string(masses.size()) + " nodes; give 0 to " +
+                            std::to_string(masses.size() - 1));
+}
+
+/// Water on each node, kg, where every part of the cloth gets the same, kg/m2.
+std::vector<double> WetCloth::Layer::spread(double massPerArea) const {
+    if (!(massPerArea >= 0 && massPerArea <= 1e3))
+        throw std::invalid_argument("drench: soaking with " + std::to_string(massPerArea) +
+                                    " kg/m2; give a value from 0 to 1000");
+    std::vector<double> spreadMasses;
+    for (const double area : mesh.areas) spreadMasses.push_back(massPerArea * area);
+    return spreadMasses;
+}
+
+bool WetCloth::Layer::isInWorld() const {
+    if (!watch.bodyIsAlive()) return false;
+    const auto& bodies = world.getSoftBodyArray();
+    return bodies.findLinearSearch(&body) != bodies.size();
+}
+
+SheetPose WetCloth::Layer::sheetPose() const {
+    return {mesh,
+            pose.positions,
+            pose.velocities,
+            pose.trianglesAround,
+            moisture.poreMass(),
+            moisture.filmMass(),
+            moisture.poreCapacityPerArea(),
+            moisture.wettingTime(),
+            pose.up,
+            pose.gravity,
+            totalArea,
+            shelter};
+}
+
+Source& WetCloth::Layer::add(std::unique_ptr<Source> source) {
+    if (!source) throw std::invalid_argument("drench: there is no source to add; give one");
+    const double momentumShare = waterSpeed > 0 ? 1 / waterSpeed : 1;
+    if (watch.bodyIsAlive()) {
+        // A source checks its settings at every step; at one of no length it does nothing else. The trial's account goes
+        // with it, so that a source that is refused leaves nothing behind.
+        pose.gatherHeights(body, surroundings.heights);
+        pose.gatherMotion(body);
+        AccountSupply trial(moisture, arrivals, body, watch, 0, momentumShare);
+        source->supply(sheetPose(), 0, trial);
+    }
+    const std::size_t number = moisture.openAccount(source->name());
+    auto supply = std::make_unique<AccountSupply>(moisture, arrivals, body, watch, number, momentumShare);
+    suppliers.push_back({std::move(source), std::move(supply)});
+    return *suppliers.back().source;
+}
+
+void WetCloth::Layer::remove(const Source& source) {
+    const auto found = std::find_if(suppliers.begin(), suppliers.end(), [&](const Supplier& supplier) {
+        return supplier.source.get() == &source;
+    });
+    if (found == suppliers.end())
+        throw std::invalid_argument("drench: the source to remove is not one of this WetCloth's");
+    suppliers.erase(found);
+}
+
+Supply& WetCloth::Layer::account(const std::string& name) {
+    for (NamedAccount& known : accounts)
+        if (known.name == name) return known.supply;
+    const std::size_t number = moisture.openAccount(name);
+    accounts.push_back({name, AccountSupply(moisture, arrivals, body, watch, number, 1)});
+    return accounts.back().supply;
+}
+
+void WetCloth::Layer::preTick(btScalar dt) {
+    if (!isInWorld()) return;
+    if (objectsChecked != world.getNumCollisionObjects()) checkPlanes(world, body);
+    objectsChecked = world.getNumCollisionObjects();
+    substep(dt);
+}
+
+void WetCloth::Layer::substep(btScalar dt) {
+    checkBeforeStep(dt);
+    keepPrimed(body, shape);
+    taken.silenceAero(body);
+    const double bodyStep = double(dt) * double(body.m_cfg.timescale);
+    time += bodyStep;
+
+    pose.gatherHeights(body, surroundings.heights);
+    supply(bodyStep * waterSpeed);
+    moveWater(bodyStep * waterSpeed);
+    collectDrops();
+    takeUpMomentum(body, masses, arrivals);
+
+    evaluateLaws();
+    writeMasses(body, masses);
+    writeLinkConstants(body, stiffness, bodyStep);
+    // Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
+    if (body.isActive()) airForces.add(body, laws, air, masses, saturations, bodyStep);
+}
+
+void WetCloth::Layer::supply(double waterTime) {
+    if (suppliers.empty()) return;
+    pose.gatherMotion(body);
+    const SheetPose sheet = sheetPose();
+    for (const Supplier& supplier : suppliers) supplier.source->supply(sheet, waterTime, *supplier.supply);
+}
+
+void WetCloth::Layer::moveWater(double waterTime) {
+    // The rate below the bound maximum divides by 1 - humidity, and in saturated air stays what it is just before.
+    constexpr double dampest = 0.999;
+    Air around = air;
+    around.humidity = std::min(air.humidity, dampest);
+    const double speed = std::min((air.wind - meanVelocity(body, mesh)).norm(), 100.0);
+    const double length = std::clamp(std::sqrt(totalArea), 1e-3, 100.0);
+    surroundings.gravity = pose.gravity;
+    surroundings.humidity = around.humidity;
+    surroundings.dryingRate = air.vapourExchange > 0 ? evaporation(around, speed, length).rate : 0.0;
+    moisture.step(waterTime, surroundings);
+}
+
+void WetCloth::Layer::collectDrops() {
+    for (const Moisture::Shed& shed : moisture.shed()) {
+        const btSoftBody::Node& node = body.m_nodes[static_cast<int>(shed.node)];
+        drops.push_back(
+            {toEigen(node.m_x), toEigen(node.m_v), dropMass, shed.drops, time, static_cast<int>(shed.node)});
+        if (drops.size() > mostDropsKept) drops.pop_front();
+    }
+}
+
+void WetCloth::Layer::checkBeforeStep(btScalar dt) const {
+    if (!(dt > 0) || !std::isfinite(dt))
+        throw std::invalid_argument("drench: a substep of " + std::to_string(dt) +
+                                    " s; give a positive finite time");
+    if (!(body.m_cfg.timescale > 0) || !std::isfinite(body.m_cfg.timescale))
+        throw std::runtime_error("drench: the body's m_cfg.timescale is " +
+                                 std::to_string(body.m_cfg.timescale) + "; give a positive number");
+    if (!air.wind.allFinite())
+        throw std::runtime_error("drench: the wind is not finite; mend WetCloth::air().wind");
+    validate(air);
+    const btVector3& gravity = body.m_worldInfo->m_gravity;
+    if (!std::isfinite(gravity.length2()))
+        throw std::runtime_error(
+            "drench: the gravity of the body's world info is not finite; mend getWorldInfo()->m_gravity");
+    if (body.m_nodes.size() != static_cast<int>(masses.size()) ||
+        body.m_links.size() != static_cast<int>(stiffness.size()) ||
+        body.m_faces.size() != static_cast<int>(shape.triangles.size()))
+        throw std::runtime_error(
+            "drench: the body has got or lost nodes, links or faces since the WetCloth was made; destroy the "
+            "WetCloth before changing the body's topology and make another after");
+    for (int n = 0; n < body.m_nodes.size(); ++n) {
+        const btVector3 sum = body.m_nodes[n].m_x + body.m_nodes[n].m_v;
+        if (!std::isfinite(sum.x() + sum.y() + sum.z()))
+            throw std::runtime_error(
+                "drench: node " + std::to_string(n) +
+                " has a position or velocity that is not finite; a force or an obstacle of the "
+                "application has blown the sheet up before this substep");
+    }
+}
+
+void WetCloth::Layer::evaluateLaws() {
+    for (std::size_t n = 0; n < masses.size(); ++n) {
+        masses[n] = laws.mass(shape.nodeAreas[n], moisture.poreMass()[n] + moisture.filmMass()[n]);
+        saturations[n] = moisture.saturation(n);
+        const double content = moisture.content(n);
+        stretchRatios[n] = laws.stretchRatio(content);
+        bendingRatios[n] = laws.bendingRatio(content);
+    }
+    for (std::size_t i = 0; i < stiffness.size(); ++i) {
+        const auto a = static_cast<std::size_t>(shape.links[i].nodes[0]);
+        const auto b = static_cast<std::size_t>(shape.links[i].nodes[1]);
+        const auto& ratios = dryStiffness[i].kind == LinkKind::bending ? bendingRatios : stretchRatios;
+        stiffness[i] = dryStiffness[i].dry * 0.5 * (ratios[a] + ratios[b]);
+    }
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

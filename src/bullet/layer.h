@@ -1,0 +1,103 @@
+// Everything behind a WetCloth.
+#pragma once
+
+#include <BulletSoftBody/btSoftBody.h>
+#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
+
+#include <Eigen/Core>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "account_supply.h"
+#include "air_forces.h"
+#include "body_watch.h"
+#include "drench/drop.h"
+#include "drench/moisture.h"
+#include "drench/source.h"
+#include "drench/wet_cloth.h"
+#include "drench/wet_laws.h"
+#include "node_masses.h"
+#include "pose.h"
+#include "pre_tick.h"
+#include "rest_shape.h"
+#include "rigid_shelter.h"
+#include "taken_over.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+/// One sheet in one world, in the order of the step.
+struct WetCloth::Layer final : PreTickListener {
+    Layer(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
+          const SheetSettings& settings);
+    ~Layer();
+    Layer(const Layer&) = delete;
+    Layer& operator=(const Layer&) = delete;
+
+    /// A source and the account that it works in.
+    struct Supplier {
+        std::unique_ptr<Source> source;
+        std::unique_ptr<AccountSupply> supply;
+    };
+    /// An account that the application works in.
+    struct NamedAccount {
+        std::string name;
+        AccountSupply supply;
+    };
+
+    std::size_t checkedNode(int node) const;
+    std::vector<double> spread(double massPerArea) const;
+    Source& add(std::unique_ptr<Source> source);
+    void remove(const Source& source);
+    Supply& account(const std::string& name);
+    SheetPose sheetPose() const;
+    /// Whether the body exists and is in the world.
+    bool isInWorld() const;
+
+    void preTick(btScalar dt) override;
+    void substep(btScalar dt);
+    void checkBeforeStep(btScalar dt) const;
+    void supply(double waterTime);
+    void moveWater(double waterTime);
+    void collectDrops();
+    void evaluateLaws();
+
+    btSoftRigidDynamicsWorld& world;  // known to exist during its own pre-tick only
+    btSoftBody& body;                 // exists while the watch says so
+    const Stepping stepping;
+    const double waterSpeed;
+    int objectsChecked = 0;  // collision objects in the world when it was last looked through for planes
+    Air air;
+
+    RestShape shape;
+    ClothMesh mesh;
+    std::vector<Eigen::Vector2d> coordinates;  // of the nodes
+    double totalArea;                          // m2
+    WetLaws laws;
+    Moisture moisture;
+    BodyWatch watch;
+    TakenOver taken;
+    RigidShelter shelter;
+    std::vector<LinkStiffness> dryStiffness;
+    AirForces airForces;
+
+    AccountSupply application;  // for water that the application adds itself
+    std::vector<Supplier> suppliers;
+    std::deque<NamedAccount> accounts;  // stay where they are
+    Pose pose;
+    Surroundings surroundings;
+    std::deque<Drop> drops;  // that nobody has taken yet
+    double time = 0;         // of the body, since the layer was made, s
+
+    std::vector<Arrival> arrivals;      // since the last substep
+    std::vector<double> masses;         // kg, as last written to the body
+    std::vector<double> saturations;    // of each node, as of this substep
+    std::vector<double> stretchRatios;  // of each node, wet over dry
+    std::vector<double> bendingRatios;  // of each node, wet over dry
+    std::vector<double> stiffness;      // N/m, of each link, as of this substep
+};
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

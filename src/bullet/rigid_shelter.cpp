@@ -1,0 +1,21 @@
+#include "rigid_shelter.h"
+
+#include "vectors.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+bool SolidRay::needsCollision(btBroadphaseProxy* proxy) const {
+    const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
+    return object->getInternalType() != btCollisionObject::CO_SOFT_BODY && object->hasContactResponse() &&
+           ClosestRayResultCallback::needsCollision(proxy);
+}
+
+bool RigidShelter::blocked(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+    SolidRay ray(toBullet(from), toBullet(to));
+    world_.rayTest(ray.m_rayFromWorld, ray.m_rayToWorld, ray);
+    return ray.hasHit();
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

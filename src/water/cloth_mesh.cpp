@@ -1,0 +1,66 @@
+#include "drench/cloth_mesh.h"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace drench {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw std::invalid_argument("drench: " + what);
+}
+
+void checkTriangle(const ClothMesh& mesh, std::size_t t) {
+    const auto& nodes = mesh.triangles[t];
+    for (const int node : nodes)
+        if (node < 0 || static_cast<std::size_t>(node) >= mesh.size())
+            refuse("triangle " + std::to_string(t) + " has the node " + std::to_string(node) +
+                   "; give 0 to " + std::to_string(mesh.size() - 1));
+    if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0])
+        refuse("triangle " + std::to_string(t) + " joins a node with itself; remove it");
+    for (const Eigen::Vector2d& corner : mesh.coordinates[t])
+        if (!corner.allFinite())
+            refuse("the material coordinates of triangle " + std::to_string(t) + " are not finite");
+    if (!(triangleArea(mesh.coordinates[t]) > 0))
+        refuse("triangle " + std::to_string(t) + " has no area in material coordinates; remove it");
+}
+
+}  // namespace
+
+double triangleArea(const std::array<Eigen::Vector2d, 3>& corners) {
+    Eigen::Matrix2d sides;
+    sides << corners[1] - corners[0], corners[2] - corners[0];
+    return 0.5 * std::abs(sides.determinant());
+}
+
+ClothMesh flatMesh(const std::vector<Eigen::Vector2d>& coordinates,
+                   const std::vector<std::array<int, 3>>& triangles) {
+    ClothMesh mesh;
+    mesh.areas.assign(coordinates.size(), 0.0);
+    mesh.triangles = triangles;
+    for (const auto& nodes : triangles) {
+        std::array<Eigen::Vector2d, 3> corners;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            corners[corner] = coordinates.at(static_cast<std::size_t>(nodes[corner]));
+        for (const int node : nodes) mesh.areas[static_cast<std::size_t>(node)] += triangleArea(corners) / 3;
+        mesh.coordinates.push_back(corners);
+    }
+    return mesh;
+}
+
+void validate(const ClothMesh& mesh) {
+    for (std::size_t node = 0; node < mesh.size(); ++node)
+        if (!(mesh.areas[node] >= 0) || !std::isfinite(mesh.areas[node]))
+            refuse("node " + std::to_string(node) + " has an area of " + std::to_string(mesh.areas[node]) +
+                   " m2; give a third of its rest triangles, at least 0");
+    if (mesh.coordinates.size() != mesh.triangles.size())
+        refuse("there are material coordinates for " + std::to_string(mesh.coordinates.size()) +
+               " triangles, but " + std::to_string(mesh.triangles.size()) +
+               " triangles; give those of the three corners of each");
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) checkTriangle(mesh, t);
+}
+
+}  // namespace drench

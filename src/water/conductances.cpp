@@ -1,0 +1,201 @@
+#include "conductances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace drench {
+
+namespace {
+
+/// Side 3 t + c of triangle t runs from its corner c to the next.
+using Side = int;
+constexpr Side none = -1;
+
+Side nextSide(Side side) {
+    return side % 3 == 2 ? side - 2 : side + 1;
+}
+Side previousSide(Side side) {
+    return side % 3 == 0 ? side + 2 : side - 1;
+}
+
+/// Triangles known by the lengths of their sides alone, which may be cut anew within the surface.
+class IntrinsicTriangles {
+  public:
+    IntrinsicTriangles(const ClothMesh& mesh, double scaleWarp, double scaleWeft) {
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const Eigen::Vector2d along =
+                    mesh.coordinates[t][(corner + 1) % 3] - mesh.coordinates[t][corner];
+                from_.push_back(mesh.triangles[t][corner]);
+                length_.push_back(std::hypot(along.x() * scaleWarp, along.y() * scaleWeft));
+                restLength_.push_back(along.norm());
+            }
+        findTwins(mesh.size());
+    }
+
+    /// Flips sides until none has angles opposite to it of more than 180 degrees together.
+    void makeDelaunay() {
+        std::deque<Side> open;
+        for (Side side = 0; side < sides(); ++side) open.push_back(side);
+        // Ends by itself; the bound only guards against lengths that contradict each other.
+        for (long budget = 100L * sides(); !open.empty() && budget > 0; --budget) {
+            const Side side = open.front();
+            open.pop_front();
+            if (!flippable(side) || cotangent(side) + cotangent(twin(side)) > -1e-9) continue;
+            flip(side);
+            const Side other = twin(side);
+            for (const Side around :
+                 {nextSide(side), previousSide(side), nextSide(other), previousSide(other)})
+                open.push_back(around);
+        }
+    }
+
+    Side sides() const { return static_cast<Side>(from_.size()); }
+    int from(Side side) const { return from_[static_cast<std::size_t>(side)]; }
+    double restLength(Side side) const { return restLength_[static_cast<std::size_t>(side)]; }
+
+    /// Cotangent of the angle opposite to a side.
+    double cotangent(Side side) const {
+        const double a = length(side), b = length(nextSide(side)), c = length(previousSide(side));
+        return (b * b + c * c - a * a) / (4 * areaOf(a, b, c));
+    }
+
+  private:
+    double length(Side side) const { return length_[static_cast<std::size_t>(side)]; }
+    Side twin(Side side) const { return twin_[static_cast<std::size_t>(side)]; }
+
+    /// Heron's formula in Kahan's order, which needles do not spoil.
+    static double areaOf(double a, double b, double c) {
+        if (a < b) std::swap(a, b);
+        if (b < c) std::swap(b, c);
+        if (a < b) std::swap(a, b);
+        const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+        return std::max(0.25 * std::sqrt(std::max(product, 0.0)), 1e-12 * a * a);
+    }
+
+    /// Pairs sides that run along each other in opposite senses, two to an edge; any others are not for flipping.
+    void findTwins(std::size_t nodes) {
+        twin_.assign(from_.size(), none);
+        // Sides by their lower node: there are few at each, and among these it is quick to look.
+        const auto lower = [this](Side side) { return std::min(from(side), from(nextSide(side))); };
+        const auto upper = [this](Side side) { return std::max(from(side), from(nextSide(side))); };
+        std::vector<std::size_t> begin(nodes + 1);
+        for (Side side = 0; side < sides(); ++side) ++begin[static_cast<std::size_t>(lower(side)) + 1];
+        std::partial_sum(begin.begin(), begin.end(), begin.begin());
+        std::vector<Side> at(from_.size());
+        std::vector<std::size_t> end = begin;
+        for (Side side = 0; side < sides(); ++side) at[end[static_cast<std::size_t>(lower(side))]++] = side;
+        for (std::size_t node = 0; node < nodes; ++node)
+            for (std::size_t i = begin[node]; i < begin[node + 1]; ++i) {
+                Side partner = none;
+                int along = 0;
+                for (std::size_t j = begin[node]; j < begin[node + 1]; ++j)
+                    if (upper(at[j]) == upper(at[i]) && j != i) {
+                        partner = at[j];
+                        ++along;
+                    }
+                if (along == 1 && from(partner) != from(at[i])) join(at[i], partner);
+            }
+    }
+
+    void join(Side a, Side b) {
+        if (a != none) twin_[static_cast<std::size_t>(a)] = b;
+        if (b != none) twin_[static_cast<std::size_t>(b)] = a;
+    }
+
+    void setSide(Side side, int node, double sideLength, double sideRestLength, Side itsTwin) {
+        from_[static_cast<std::size_t>(side)] = node;
+        length_[static_cast<std::size_t>(side)] = sideLength;
+        restLength_[static_cast<std::size_t>(side)] = sideRestLength;
+        twin_[static_cast<std::size_t>(side)] = none;
+        join(side, itsTwin);
+    }
+
+    /// Length of the other diagonal of two triangles laid side by side: `shared` the side between them, from its start
+    /// the two sides `upper` and `lower`, which meet `upperEnd` and `lowerEnd` at its end.
+    static double otherDiagonal(double shared, double upper, double upperEnd, double lower, double lowerEnd) {
+        const auto apex = [shared](double start, double end) {
+            const double x = (start * start - end * end + shared * shared) / (2 * shared);
+            return std::pair(x, std::sqrt(std::max(start * start - x * x, 0.0)));
+        };
+        const auto [x1, y1] = apex(upper, upperEnd);
+        const auto [x2, y2] = apex(lower, lowerEnd);
+        return std::hypot(x1 - x2, y1 + y2);
+    }
+
+    /// Whether there are two different triangles at a side, joined nowhere else.
+    bool flippable(Side side) const {
+        const Side other = twin(side);
+        if (other == none || other / 3 == side / 3) return false;
+        for (const Side around : {nextSide(side), previousSide(side), nextSide(other), previousSide(other)})
+            if (twin(around) != none && (twin(around) / 3 == side / 3 || twin(around) / 3 == other / 3))
+                return false;
+        return true;
+    }
+
+    /// Replaces the side between two triangles by the other diagonal of their quadrilateral.
+    void flip(Side side) {
+        const Side other = twin(side);
+        // Triangles (a, b, c) and (b, a, d) become (d, c, a) and (c, d, b).
+        const Side bc = nextSide(side), ca = previousSide(side), ad = nextSide(other),
+                   db = previousSide(other);
+        const auto keep = [this](Side s) {
+            const auto i = static_cast<std::size_t>(s);
+            return std::tuple(from_[i], length_[i], restLength_[i], twin_[i]);
+        };
+        const auto [b, lengthBc, restBc, twinBc] = keep(bc);
+        const auto [c, lengthCa, restCa, twinCa] = keep(ca);
+        const auto [a, lengthAd, restAd, twinAd] = keep(ad);
+        const auto [d, lengthDb, restDb, twinDb] = keep(db);
+        const double diagonal = otherDiagonal(length(side), lengthCa, lengthBc, lengthAd, lengthDb);
+        const double restDiagonal = otherDiagonal(restLength(side), restCa, restBc, restAd, restDb);
+        setSide(side, d, diagonal, restDiagonal, other);
+        setSide(nextSide(side), c, lengthCa, restCa, twinCa);
+        setSide(previousSide(side), a, lengthAd, restAd, twinAd);
+        setSide(other, c, diagonal, restDiagonal, side);
+        setSide(nextSide(other), d, lengthDb, restDb, twinDb);
+        setSide(previousSide(other), b, lengthBc, restBc, twinBc);
+    }
+
+    std::vector<int> from_;
+    std::vector<double> length_;      // in which the permeability is the same in all directions
+    std::vector<double> restLength_;  // m
+    std::vector<Side> twin_;
+};
+
+}  // namespace
+
+std::vector<Edge> conductances(const ClothMesh& mesh, double permeabilityWarp, double permeabilityWeft) {
+    // In lengths scaled so, the permeability is the mean everywhere, and the elements are those of an isotropic cloth.
+    const double mean = std::sqrt(permeabilityWarp * permeabilityWeft);
+    IntrinsicTriangles triangles(mesh, std::sqrt(mean / permeabilityWarp),
+                                 std::sqrt(mean / permeabilityWeft));
+    triangles.makeDelaunay();
+
+    std::vector<Edge> sides;
+    for (Side side = 0; side < triangles.sides(); ++side) {
+        const auto [a, b] = std::minmax({triangles.from(side), triangles.from(nextSide(side))});
+        if (a == b) continue;  // round a tube of one cell, back to where it came from
+        sides.push_back({a, b, 0.5 * mean * triangles.cotangent(side), triangles.restLength(side)});
+    }
+    std::stable_sort(sides.begin(), sides.end(), [](const Edge& x, const Edge& y) {
+        return std::pair(x.b - x.a, x.a) < std::pair(y.b - y.a, y.a);
+    });
+
+    std::vector<Edge> conducting;
+    for (std::size_t i = 0; i < sides.size();) {
+        Edge edge = sides[i];
+        for (++i; i < sides.size() && sides[i].a == edge.a && sides[i].b == edge.b; ++i) {
+            edge.conductance += sides[i].conductance;
+            edge.length = std::max(edge.length, sides[i].length);
+        }
+        if (edge.conductance > 1e-9 * mean) conducting.push_back(edge);
+    }
+    return conducting;
+}
+
+}  // namespace drench

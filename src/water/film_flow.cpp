@@ -1,0 +1,171 @@
+#include "film_flow.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "drench/water.h"
+
+namespace drench {
+
+namespace {
+
+constexpr double allowedStretch = 1.25;  // of an edge, beyond its rest length
+constexpr int mostSteps = 8;
+// Share of a film that may leave its node in a step, roughly; small enough for the shape of the film.
+constexpr double courantNumber = 0.5;
+
+/// rho g / (3 mu), 1/(m s): speed of the film over its thickness squared, on a vertical wall.
+double fluidity(double gravity) {
+    return waterDensity * gravity / (3 * waterViscosity);
+}
+
+/// Solves m + rate min(m, thickest)^2 m = available for the film m that is left, m.
+double filmLeft(double available, double rate) {
+    const double fullRate = rate * thickestFilm * thickestFilm;
+    if (available > thickestFilm * (1 + fullRate)) return available / (1 + fullRate);
+    double left = std::min(available, std::cbrt(available / rate));
+    for (int i = 0; i < 8; ++i)
+        left -= (left + rate * left * left * left - available) / (1 + 3 * rate * left * left);
+    return std::clamp(left, 0.0, available);
+}
+
+}  // namespace
+
+FilmFlow::FilmFlow(const ClothMesh& mesh) : FilmFlow(mesh, conductances(mesh, 1, 1)) {}
+
+FilmFlow::FilmFlow(const ClothMesh& mesh, const std::vector<Edge>& edges)
+    : runs_(edges),
+      steepestOutflow_(mesh.size()),
+      mobility_(mesh.size()),
+      firstNeighbour_(mesh.size() + 1),
+      downwards_(mesh.size()) {
+    for (const Edge& edge : edges)
+        for (const int node : {edge.a, edge.b}) {
+            steepestOutflow_[static_cast<std::size_t>(node)] +=
+                static_cast<float>(allowedStretch * edge.conductance * edge.length);
+            ++firstNeighbour_[static_cast<std::size_t>(node) + 1];
+        }
+    for (std::size_t n = 0; n < mesh.size(); ++n) {
+        areas_.push_back(static_cast<float>(mesh.areas[n]));
+        inverseAreas_.push_back(mesh.areas[n] > 0 ? static_cast<float>(1 / mesh.areas[n]) : 0.0f);
+        largestRate_ = std::max(largestRate_, steepestOutflow_[n] * inverseAreas_[n]);
+    }
+    std::partial_sum(firstNeighbour_.begin(), firstNeighbour_.end(), firstNeighbour_.begin());
+    neighbours_.resize(firstNeighbour_.back());
+    std::vector<std::size_t> next(firstNeighbour_.begin(), firstNeighbour_.end() - 1);
+    for (const Edge& edge : edges) {
+        const auto conductance = static_cast<float>(edge.conductance);
+        neighbours_[next[static_cast<std::size_t>(edge.a)]++] = {edge.b, conductance};
+        neighbours_[next[static_cast<std::size_t>(edge.b)]++] = {edge.a, conductance};
+    }
+    std::iota(downwards_.begin(), downwards_.end(), 0);
+}
+
+std::size_t FilmFlow::bytes() const {
+    return runs_.bytes() + neighbours_.size() * sizeof(Neighbour) +
+           mobility_.size() * (4 * sizeof(float) + sizeof(std::size_t) + sizeof(int));
+}
+
+void FilmFlow::run(double dt, const std::vector<float>& heights, double gravity, double thickest,
+                   std::vector<double>& filmMass) {
+    const double mobile = std::min(thickest - retainedFilmThickness, thickestFilm);
+    if (!(mobile > 0) || !(gravity > 0) || runs_.runs().empty()) return;
+    const double fastest = fluidity(gravity) * mobile * mobile * double(largestRate_);
+    const double steps = std::max(1.0, std::ceil(dt * fastest / courantNumber));
+    if (steps <= mostSteps)
+        runInSteps(dt, static_cast<int>(steps), heights.data(), gravity, filmMass.data());
+    else
+        runInOneSweep(dt, heights, gravity, filmMass.data());
+}
+
+void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gravity, double* filmMass) {
+    const std::size_t nodes = mobility_.size();
+    const float doubleDensity = static_cast<float>(2 * waterDensity);
+    const float rate = static_cast<float>(2 * fluidity(gravity) * dt / steps);
+    const float retained = static_cast<float>(retainedFilmThickness), most = static_cast<float>(thickestFilm);
+    const float *area = areas_.data(), *inverseArea = inverseAreas_.data(),
+                *outflow = steepestOutflow_.data();
+    float* mobility = mobility_.data();
+    std::array<float, EdgeRuns::longest> flux;  // kg in the step
+    for (int i = 0; i < steps; ++i) {
+        // What a film that only drains has lost after a while, m (1 - 1 / sqrt(1 + 2 x)), is never all of it.
+#pragma omp simd
+        for (std::size_t n = 0; n < nodes; ++n) {
+            const float thickness = static_cast<float>(filmMass[n]) * inverseArea[n] / doubleDensity;
+            const float film = std::max(thickness - retained, 0.0f), runs = std::min(film, most);
+            const float twice = rate * outflow[n] * inverseArea[n] * runs * runs;
+            const float root = std::sqrt(1 + twice);
+            // (1 - 1 / root) / outflow, without the difference of nearly equal numbers
+            mobility[n] =
+                doubleDensity * area[n] * film * rate * inverseArea[n] * runs * runs / (root * (root + 1));
+        }
+        for (const EdgeRuns::Run& run : runs_.runs()) {
+            const float* conductance = runs_.conductance().data() + run.first;
+            const float *mobilityA = mobility + run.a, *mobilityB = mobility + run.b;
+            const float *heightA = heights + run.a, *heightB = heights + run.b;
+#pragma omp simd
+            for (std::size_t k = 0; k < run.count; ++k) {
+                const float rise = heightA[k] - heightB[k];
+                flux[k] = conductance[k] * rise * (rise > 0 ? mobilityA[k] : mobilityB[k]);
+            }
+            double *massA = filmMass + run.a, *massB = filmMass + run.b;
+#pragma omp simd
+            for (std::size_t k = 0; k < run.count; ++k) massA[k] -= static_cast<double>(flux[k]);
+#pragma omp simd
+            for (std::size_t k = 0; k < run.count; ++k) massB[k] += static_cast<double>(flux[k]);
+        }
+    }
+}
+
+/// Backward Euler, node by node from the highest down: when a node's turn comes, all that flows to it has come.
+void FilmFlow::runInOneSweep(double dt, const std::vector<float>& heights, double gravity, double* filmMass) {
+    std::sort(downwards_.begin(), downwards_.end(), [&](int a, int b) {
+        return heights[static_cast<std::size_t>(a)] > heights[static_cast<std::size_t>(b)];
+    });
+    for (const int node : downwards_) {
+        const auto n = static_cast<std::size_t>(node);
+        const double massPerThickness = 2 * waterDensity * double(areas_[n]);
+        const double available = filmMass[n] - massPerThickness * retainedFilmThickness;
+        if (!(available > 0) || !(massPerThickness > 0)) continue;
+        double outflow = 0;
+        for (std::size_t i = firstNeighbour_[n]; i < firstNeighbour_[n + 1]; ++i) {
+            const float rise = heights[n] - heights[static_cast<std::size_t>(neighbours_[i].node)];
+            outflow += double(neighbours_[i].conductance * std::max(rise, 0.0f));
+        }
+        if (!(outflow > 0)) continue;
+        const double thickness = available / massPerThickness;
+        const double left = filmLeft(thickness, dt * fluidity(gravity) * outflow / double(areas_[n]));
+        const double leaving = std::min(massPerThickness * (thickness - left), available);
+        for (std::size_t i = firstNeighbour_[n]; i < firstNeighbour_[n + 1]; ++i) {
+            const auto to = static_cast<std::size_t>(neighbours_[i].node);
+            const float rise = std::max(heights[n] - heights[to], 0.0f);
+            const double share = leaving * double(neighbours_[i].conductance * rise) / outflow;
+            filmMass[n] -= share;
+            filmMass[to] += share;
+        }
+    }
+}
+
+bool FilmFlow::hasLowerNeighbour(std::size_t node, const std::vector<float>& heights) const {
+    for (std::size_t i = firstNeighbour_[node]; i < firstNeighbour_[node + 1]; ++i)
+        if (heights[static_cast<std::size_t>(neighbours_[i].node)] < heights[node]) return true;
+    return false;
+}
+
+void FilmFlow::drip(const std::vector<float>& heights, const std::vector<float>& openAreas,
+                    std::vector<double>& filmMass, std::vector<Moisture::Shed>& shed) {
+    for (std::size_t n = 0; n < filmMass.size(); ++n) {
+        const double massPerThickness = 2 * waterDensity * double(areas_[n]);
+        if (filmMass[n] < massPerThickness * retainedFilmThickness + dropMass || !(openAreas[n] > 0))
+            continue;
+        const double kept = hasLowerNeighbour(n, heights) ? thickestFilm : retainedFilmThickness;
+        const double drops = std::floor((filmMass[n] - massPerThickness * kept) / dropMass);
+        if (!(drops >= 1)) continue;
+        filmMass[n] -= drops * dropMass;
+        shed.push_back({n, static_cast<std::int64_t>(drops)});
+    }
+}
+
+}  // namespace drench

@@ -1,0 +1,138 @@
+#include "implicit_wicking.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drench {
+
+namespace {
+
+constexpr int mostIterations = 40;
+constexpr double tolerance = 1e-13;  // of a node's capacity
+constexpr int mostPieces = 4096;     // that a step is cut into
+
+/// Index of an entry within the values of a matrix.
+int placeOf(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix, int row, int column) {
+    const int* begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row];
+    const int* end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row + 1];
+    return static_cast<int>(std::lower_bound(begin, end, column) - matrix.innerIndexPtr());
+}
+
+}  // namespace
+
+ImplicitWicking::ImplicitWicking(const BrooksCorey& curve, double fluxScale, const std::vector<Edge>& edges,
+                                 const std::vector<double>& capacities)
+    : curve_(curve), fluxScale_(fluxScale), edges_(edges), capacities_(capacities), fluxes_(edges.size()) {
+    const auto nodes = static_cast<Eigen::Index>(capacities.size());
+    saturation_.resize(nodes);
+    residual_.resize(nodes);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int n = 0; n < nodes; ++n) entries.emplace_back(n, n, 1.0);
+    for (const Edge& edge : edges_) {
+        entries.emplace_back(edge.a, edge.b, 1.0);
+        entries.emplace_back(edge.b, edge.a, 1.0);
+    }
+    matrix_.resize(nodes, nodes);
+    matrix_.setFromTriplets(entries.begin(), entries.end());
+    for (int n = 0; n < nodes; ++n) diagonal_.push_back(placeOf(matrix_, n, n));
+    for (const Edge& edge : edges_)
+        entries_.push_back({placeOf(matrix_, edge.a, edge.a), placeOf(matrix_, edge.a, edge.b),
+                            placeOf(matrix_, edge.b, edge.a), placeOf(matrix_, edge.b, edge.b)});
+    solver_.setTolerance(1e-6);
+    solver_.setMaxIterations(500);
+}
+
+void ImplicitWicking::step(double dt, const std::vector<float>& heights, double weight, double lowerShare,
+                           std::vector<double>& poreMass) {
+    lowerShare_ = lowerShare;
+    rise_.clear();
+    for (const Edge& edge : edges_)
+        rise_.push_back(weight * (double(heights[static_cast<std::size_t>(edge.a)]) -
+                                  double(heights[static_cast<std::size_t>(edge.b)])));
+    // Pieces of the step are counted in the smallest that there are, so that they add up to it.
+    int done = 0, piece = mostPieces;
+    while (done < mostPieces) {
+        if (tryStep(dt * piece / mostPieces, poreMass)) {
+            done += piece;
+            piece = std::min(2 * piece, mostPieces - done);
+        } else if (piece > 1) {
+            piece /= 2;
+        } else {
+            done += piece;  // nothing moves in a piece that has no solution; its water stays where it is
+        }
+    }
+}
+
+bool ImplicitWicking::tryStep(double dt, std::vector<double>& poreMass) {
+    for (std::size_t n = 0; n < capacities_.size(); ++n)
+        saturation_[Eigen::Index(n)] = capacities_[n] > 0 ? poreMass[n] / capacities_[n] : 0.0;
+    for (int iteration = 0; iteration < mostIterations; ++iteration) {
+        findFluxes();
+        if (assemble(dt, poreMass) < tolerance) {
+            applyFluxes(dt, poreMass);
+            return true;
+        }
+        solver_.compute(matrix_);
+        const Eigen::VectorXd change = solver_.solve(residual_);
+        if (!change.allFinite()) return false;
+        saturation_ = (saturation_ - change).cwiseMax(0.0);
+    }
+    return false;
+}
+
+ImplicitWicking::Flux ImplicitWicking::flux(const Edge& edge) const {
+    const double a = std::min(saturation_[edge.a], 1.0), b = std::min(saturation_[edge.b], 1.0);
+    const double rise = rise_[static_cast<std::size_t>(&edge - edges_.data())];
+    const double shareA = rise > 0 ? 1 - lowerShare_ : lowerShare_, shareB = 1 - shareA;
+    const double scale = fluxScale_ * edge.conductance;
+    const double value = curve_.psi(a) - curve_.psi(b) +
+                         rise * (shareA * curve_.permeability(a) + shareB * curve_.permeability(b));
+    // Beyond full pores neither pull nor permeability grow.
+    const double slopeA =
+        saturation_[edge.a] > 1 ? 0.0 : curve_.psiSlope(a) + rise * shareA * curve_.permeabilitySlope(a);
+    const double slopeB =
+        saturation_[edge.b] > 1 ? 0.0 : -curve_.psiSlope(b) + rise * shareB * curve_.permeabilitySlope(b);
+    return {scale * value, scale * slopeA, scale * slopeB};
+}
+
+void ImplicitWicking::findFluxes() {
+    for (std::size_t e = 0; e < edges_.size(); ++e) fluxes_[e] = flux(edges_[e]);
+}
+
+/// Fills residual and matrix. @return the largest residual, as a share of its node's capacity
+double ImplicitWicking::assemble(double dt, const std::vector<double>& poreMass) {
+    double* values = matrix_.valuePtr();
+    std::fill(values, values + matrix_.nonZeros(), 0.0);
+    for (std::size_t n = 0; n < capacities_.size(); ++n) {
+        const bool cloth = capacities_[n] > 0;
+        values[diagonal_[n]] = cloth ? capacities_[n] : 1.0;
+        residual_[Eigen::Index(n)] =
+            cloth ? capacities_[n] * saturation_[Eigen::Index(n)] - poreMass[n] : 0.0;
+    }
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+        const Flux& flux = fluxes_[e];
+        residual_[edges_[e].a] += dt * flux.value;
+        residual_[edges_[e].b] -= dt * flux.value;
+        values[entries_[e].aa] += dt * flux.slopeA;
+        values[entries_[e].ab] += dt * flux.slopeB;
+        values[entries_[e].ba] -= dt * flux.slopeA;
+        values[entries_[e].bb] -= dt * flux.slopeB;
+    }
+    double largest = 0;
+    for (std::size_t n = 0; n < capacities_.size(); ++n)
+        if (capacities_[n] > 0)
+            largest = std::max(largest, std::abs(residual_[Eigen::Index(n)]) / capacities_[n]);
+    return largest;
+}
+
+/// Moves what the fluxes carry, rather than taking the solved saturations, which are right to rounding only: so no water is
+/// made or lost but where rounding left a store a hair below zero.
+void ImplicitWicking::applyFluxes(double dt, std::vector<double>& poreMass) const {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+        poreMass[static_cast<std::size_t>(edges_[e].a)] -= dt * fluxes_[e].value;
+        poreMass[static_cast<std::size_t>(edges_[e].b)] += dt * fluxes_[e].value;
+    }
+    for (double& mass : poreMass) mass = std::max(mass, 0.0);
+}
+
+}  // namespace drench

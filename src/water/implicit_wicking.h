@@ -1,0 +1,59 @@
+// The wicking of a long step: one implicit step in place of very many explicit ones.
+#pragma once
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "brooks_corey.h"
+#include "conductances.h"
+
+namespace drench {
+
+/// The same fluxes as `Wicking`, taken at the end of the step (backward Euler): stable at any length. Newton's method with a
+/// sparse linear solve; a step that it does not solve is halved.
+class ImplicitWicking {
+  public:
+    /// @param fluxScale   rho h / mu
+    /// @param capacities  of the nodes' pores, kg
+    ImplicitWicking(const BrooksCorey& curve, double fluxScale, const std::vector<Edge>& edges,
+                    const std::vector<double>& capacities);
+
+    /// @param weight      rho g, Pa/m
+    /// @param lowerShare  of the lower node in the permeability to gravity
+    void step(double dt, const std::vector<float>& heights, double weight, double lowerShare,
+              std::vector<double>& poreMass);
+
+  private:
+    /// Flux along an edge and how it changes with the saturations of its ends, kg/s.
+    struct Flux {
+        double value, slopeA, slopeB;
+    };
+    /// Where the entries of an edge are in the matrix.
+    struct Entries {
+        int aa, ab, ba, bb;
+    };
+
+    bool tryStep(double dt, std::vector<double>& poreMass);
+    Flux flux(const Edge& edge) const;
+    void findFluxes();
+    double assemble(double dt, const std::vector<double>& poreMass);
+    void applyFluxes(double dt, std::vector<double>& poreMass) const;
+
+    BrooksCorey curve_;
+    double fluxScale_;
+    std::vector<Edge> edges_;
+    std::vector<double> capacities_;
+    std::vector<double> rise_;  // of each edge, rho g (z_a - z_b), Pa
+    double lowerShare_ = 0.5;
+
+    std::vector<Flux> fluxes_;
+    Eigen::VectorXd saturation_;
+    Eigen::VectorXd residual_;
+    Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_;
+    std::vector<int> diagonal_;
+    std::vector<Entries> entries_;
+    Eigen::BiCGSTAB<Eigen::SparseMatrix<double, Eigen::RowMajor>> solver_;
+};
+
+}  // namespace drench

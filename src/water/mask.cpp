@@ -1,0 +1,97 @@
+#include <stb_image.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "drench/sources.h"
+
+namespace drench {
+
+namespace {
+
+std::runtime_error unreadable(const std::filesystem::path& path, const std::string& why) {
+    return std::runtime_error("drench: cannot read the picture " + path.string() + ": " + why);
+}
+
+std::vector<char> readBytes(const std::filesystem::path& path) {
+    // A folder opens like a file on some systems and only fails later, without its name.
+    if (std::filesystem::is_directory(path)) throw unreadable(path, "it is a folder; give a file");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw unreadable(path, "no such file, or not readable");
+    std::vector<char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    if (bytes.empty()) throw unreadable(path, "it is empty");
+    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+        throw unreadable(path, "it is larger than 2 GB; make it smaller");
+    return bytes;
+}
+
+// Luminance with the weights of Rec. 709, so that greys stay what they are; the alpha tells how much counts.
+float greyOf(const stbi_us* rgba) {
+    const double luminance = 0.2126 * rgba[0] + 0.7152 * rgba[1] + 0.0722 * rgba[2];
+    return static_cast<float>(std::min(luminance * rgba[3] / (65535.0 * 65535.0), 1.0));
+}
+
+// The two pixels on either side of a place along one axis, and how far the place is towards the second.
+struct Between {
+    std::size_t first;
+    std::size_t second;
+    double towardsSecond;
+};
+
+// @param place  0 at the first pixel's outer edge, 1 at the last one's
+Between between(double place, int pixels) {
+    const double last = pixels - 1;
+    const double centred = std::clamp(place * pixels - 0.5, 0.0, last);
+    const double first = std::floor(centred);
+    return {static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(first + 1, last)),
+            centred - first};
+}
+
+}  // namespace
+
+double Mask::at(double right, double up) const {
+    const std::size_t columns = static_cast<std::size_t>(std::max(width, 0));
+    if (width < 1 || height < 1 || values.size() != columns * static_cast<std::size_t>(height))
+        throw std::invalid_argument(
+            "drench: a mask needs at least one pixel and a value for each; this one is " +
+            std::to_string(width) + " x " + std::to_string(height) + " with " +
+            std::to_string(values.size()) + " values");
+    if (std::isnan(right) || std::isnan(up))
+        throw std::invalid_argument("drench: the place in a mask is no number; give numbers from 0 to 1");
+    const Between column = between(right, width);
+    const Between row = between(1 - up, height);
+    const auto along = [&](std::size_t line) {
+        const double left = values[line * columns + column.first];
+        return left + column.towardsSecond * (values[line * columns + column.second] - left);
+    };
+    const double upper = along(row.first);
+    return upper + row.towardsSecond * (along(row.second) - upper);
+}
+
+Mask readMask(const std::filesystem::path& path) {
+    const std::vector<char> bytes = readBytes(path);
+    Mask mask;
+    int channels = 0;
+    // Sixteen bits keep the steps of a fine picture; those of eight come out the same either way.
+    const std::unique_ptr<stbi_us, void (*)(void*)> pixels(
+        stbi_load_16_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                                 static_cast<int>(bytes.size()), &mask.width, &mask.height, &channels, 4),
+        stbi_image_free);
+    if (!pixels) {
+        const char* reason = stbi_failure_reason();
+        throw unreadable(path, std::string("it is no picture that can be read here (") +
+                                   (reason ? reason : "unknown") + "); give a PNG");
+    }
+    mask.values.resize(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
+    for (std::size_t pixel = 0; pixel < mask.values.size(); ++pixel)
+        mask.values[pixel] = greyOf(pixels.get() + 4 * pixel);
+    return mask;
+}
+
+}  // namespace drench

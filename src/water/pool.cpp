@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "checks.h"
+#include "drench/sources.h"
+#include "drench/water.h"
+
+namespace drench {
+
+namespace {
+
+void checkSettings(const Pool& pool) {
+    checkRange("Pool::level", pool.level, "m", -1e9, 1e9);
+    for (int axis = 0; axis < 2; ++axis) {
+        checkRange("Pool::from", pool.from[axis], "m", -1e9, 1e9);
+        checkRange("Pool::to", pool.to[axis], "m", -1e9, 1e9);
+        if (pool.from[axis] > pool.to[axis])
+            throw std::invalid_argument(
+                "drench: Pool::from lies beyond Pool::to; exchange them so that from is the smaller");
+    }
+}
+
+// The axis of the world that is nearest to the way up. Of equals it is y, then z, as most worlds have it.
+int axisAlong(const Eigen::Vector3d& up) {
+    int found = 1;
+    for (const int axis : {2, 0})
+        if (std::abs(up[axis]) > std::abs(up[found])) found = axis;
+    return found;
+}
+
+// Unit vectors along the two sides of the rectangle: see the comment at Pool::from.
+std::array<Eigen::Vector3d, 2> sidesAcross(const Eigen::Vector3d& up) {
+    const int along = axisAlong(up);
+    Eigen::Vector3d first = Eigen::Vector3d::Unit(along == 0 ? 1 : 0);
+    first = (first - first.dot(up) * up).normalized();
+    Eigen::Vector3d second = Eigen::Vector3d::Unit(along == 2 ? 1 : 2);
+    second -= second.dot(up) * up;
+    second = (second - second.dot(first) * first).normalized();
+    return {first, second};
+}
+
+// Landau & Levich (1942): the film on a plate that is drawn out of a liquid, m.
+double drawnFilm(double speed, double gravity) {
+    const double capillaryLength = std::sqrt(waterSurfaceTension / (waterDensity * gravity));
+    const double capillaryNumber = waterViscosity * speed / waterSurfaceTension;
+    const double thickness = 0.94 * capillaryLength * std::cbrt(capillaryNumber * capillaryNumber);
+    return std::clamp(thickness, retainedFilmThickness, thickestFilm);
+}
+
+void wet(const SheetPose& sheet, std::size_t node, double dt, Supply& supply) {
+    const double area = sheet.mesh.areas[node];
+    const double missing = sheet.poreCapacity * area - sheet.poreMass[node];
+    const double soaked = missing * -std::expm1(-dt / sheet.wettingTime);
+    if (soaked > 0) supply.addPores(node, soaked);
+
+    const double film = 2 * waterDensity * area * drawnFilm(sheet.velocities[node].norm(), sheet.gravity);
+    const double surplus = sheet.filmMass[node] - film;
+    if (surplus < 0) supply.addFilm(node, -surplus);
+    if (surplus > 0) supply.takeFilm(node, surplus);
+    supply.cover(node, 1);
+}
+
+}  // namespace
+
+void Pool::supply(const SheetPose& sheet, double dt, Supply& supply) {
+    checkSettings(*this);
+    checkStep(dt);
+    // Without gravity nothing keeps a pool level, or together.
+    if (dt == 0 || sheet.up.isZero() || !(sheet.gravity > 0)) return;
+    const auto sides = sidesAcross(sheet.up);
+    for (std::size_t node = 0; node < sheet.mesh.size(); ++node) {
+        const Eigen::Vector3d& place = sheet.positions[node];
+        const Eigen::Vector2d across(place.dot(sides[0]), place.dot(sides[1]));
+        const bool inside = (across.array() >= from.array()).all() && (across.array() <= to.array()).all();
+        if (inside && place.dot(sheet.up) < level && sheet.mesh.areas[node] > 0) wet(sheet, node, dt, supply);
+    }
+}
+
+}  // namespace drench

@@ -1,0 +1,134 @@
+#include "wicking.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "drench/water.h"
+#include "implicit_wicking.h"
+
+namespace drench {
+
+namespace {
+
+// A sheet in motion stretches; heights then differ by more than an edge is long at rest.
+constexpr double allowedStretch = 1.25;
+
+}  // namespace
+
+double lowerShare(const BrooksCorey& curve, double gravity, double longestEdge) {
+    const double weight = waterDensity * gravity * longestEdge * allowedStretch;
+    const double steepest = curve.permeabilitySlope(1) / curve.psiSlope(1);  // (3 L + 2) / p_b
+    return weight * steepest > 2 ? 1 / (weight * steepest) : 0.5;
+}
+
+Wicking::Wicking(const Fabric& fabric, const ClothMesh& mesh)
+    : Wicking(fabric, mesh, conductances(mesh, fabric.permeabilityWarp, fabric.permeabilityWeft)) {}
+
+Wicking::Wicking(const Fabric& fabric, const ClothMesh& mesh, const std::vector<Edge>& edges)
+    : curve_(fabric),
+      fluxScale_(waterDensity * fabric.thickness / waterViscosity),
+      runs_(edges),
+      psi_(mesh.size()),
+      permeability_(mesh.size()) {
+    for (const double area : mesh.areas)
+        inverseCapacities_.push_back(area > 0 ? static_cast<float>(1 / (area * fabric.poreCapacity()))
+                                              : 0.0f);
+    std::vector<double> conductance(mesh.size()), conductanceLength(mesh.size());
+    for (const Edge& edge : edges) {
+        longestEdge_ = std::max(longestEdge_, edge.length);
+        for (const int node : {edge.a, edge.b}) {
+            conductance[static_cast<std::size_t>(node)] += edge.conductance;
+            conductanceLength[static_cast<std::size_t>(node)] += edge.conductance * edge.length;
+        }
+    }
+    for (std::size_t n = 0; n < mesh.size(); ++n) {
+        const double inverseCapacity = double(inverseCapacities_[n]);
+        largestPsiRate_ = std::max(largestPsiRate_, conductance[n] * inverseCapacity);
+        largestGravityRate_ = std::max(largestGravityRate_, conductanceLength[n] * inverseCapacity);
+    }
+}
+
+Wicking::~Wicking() = default;
+Wicking::Wicking(Wicking&&) noexcept = default;
+Wicking& Wicking::operator=(Wicking&&) noexcept = default;
+
+std::size_t Wicking::bytes() const {
+    return runs_.bytes() + psi_.size() * 3 * sizeof(float);  // inverse capacities, psi, permeability
+}
+
+double Wicking::explicitBound(double gravity) const {
+    const double rate = fluxScale_ * (largestPsiRate_ * curve_.psiSlope(1) +
+                                      largestGravityRate_ * allowedStretch * waterDensity * gravity *
+                                          curve_.permeabilitySlope(1));
+    return rate > 0 ? 1 / rate : std::numeric_limits<double>::infinity();
+}
+
+void Wicking::step(double dt, const std::vector<float>& heights, double gravity,
+                   const std::vector<double>& capacities, std::vector<double>& poreMass) {
+    if (runs_.runs().empty() || !(dt > 0)) return;
+    const double steps = std::max(1.0, std::ceil(dt / explicitBound(gravity)));
+    if (steps > mostExplicitSteps) {
+        if (!implicit_)
+            implicit_ = std::make_unique<ImplicitWicking>(curve_, fluxScale_, runs_.edges(), capacities);
+        implicit_->step(dt, heights, waterDensity * gravity, lowerShare(curve_, gravity, longestEdge_),
+                        poreMass);
+        return;
+    }
+    for (int i = 0; i < static_cast<int>(steps); ++i)
+        explicitStep(dt / steps, heights.data(), gravity, poreMass.data());
+}
+
+void Wicking::evaluate(const double* poreMass, double psiFactor) {
+    const std::size_t nodes = psi_.size();
+    const float* inverseCapacity = inverseCapacities_.data();
+    float* psi = psi_.data();
+    float* permeability = permeability_.data();
+    const float factor = static_cast<float>(psiFactor);
+    if (curve_.isSimple()) {
+#pragma omp simd
+        for (std::size_t n = 0; n < nodes; ++n) {
+            const float s = std::min(static_cast<float>(poreMass[n]) * inverseCapacity[n], 1.0f);
+            const float s4 = s * s * s * s;
+            psi[n] = factor * s4;
+            permeability[n] = s4 * s;
+        }
+        return;
+    }
+    const float psiExponent = static_cast<float>(curve_.psiExponent());
+    const float permeabilityExponent = static_cast<float>(curve_.permeabilityExponent());
+    for (std::size_t n = 0; n < nodes; ++n) {
+        const float s = std::min(static_cast<float>(poreMass[n]) * inverseCapacity[n], 1.0f);
+        psi[n] = factor * std::pow(s, psiExponent);
+        permeability[n] = std::pow(s, permeabilityExponent);
+    }
+}
+
+void Wicking::explicitStep(double dt, const float* heights, double gravity, double* poreMass) {
+    evaluate(poreMass, dt * fluxScale_ * curve_.psiScale());
+    const float weight = static_cast<float>(dt * fluxScale_ * waterDensity * gravity);
+    const float share = static_cast<float>(lowerShare(curve_, gravity, longestEdge_));
+    std::array<float, EdgeRuns::longest> flux;  // kg in the step
+    for (const EdgeRuns::Run& run : runs_.runs()) {
+        const float* conductance = runs_.conductance().data() + run.first;
+        const float *psiA = psi_.data() + run.a, *psiB = psi_.data() + run.b;
+        const float *permeabilityA = permeability_.data() + run.a,
+                    *permeabilityB = permeability_.data() + run.b;
+        const float *heightA = heights + run.a, *heightB = heights + run.b;
+#pragma omp simd
+        for (std::size_t k = 0; k < run.count; ++k) {
+            const float rise = heightA[k] - heightB[k];
+            const float shareA = rise > 0 ? 1 - share : share;
+            const float permeability = permeabilityB[k] + shareA * (permeabilityA[k] - permeabilityB[k]);
+            flux[k] = conductance[k] * (psiA[k] - psiB[k] + weight * permeability * rise);
+        }
+        double *massA = poreMass + run.a, *massB = poreMass + run.b;
+#pragma omp simd
+        for (std::size_t k = 0; k < run.count; ++k) massA[k] -= static_cast<double>(flux[k]);
+#pragma omp simd
+        for (std::size_t k = 0; k < run.count; ++k) massB[k] += static_cast<double>(flux[k]);
+    }
+}
+
+}  // namespace drench

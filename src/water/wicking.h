@@ -1,0 +1,65 @@
+// Water that creeps through the pores of the cloth, along it, against and with gravity.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "brooks_corey.h"
+#include "drench/cloth_mesh.h"
+#include "drench/fabric.h"
+#include "edge_runs.h"
+
+namespace drench {
+
+class ImplicitWicking;
+
+/// The flux from node i to node j, kg/s (Darcy 1856; Richards 1931; on linear finite elements):
+/// F = (rho h / mu) T [Psi(s_i) - Psi(s_j) + k rho g (z_i - z_j)], T the conductance of the edge for the fabric's
+/// permeability. What leaves one node enters the other.
+///
+/// k weighs the relative permeabilities of the upper and the lower node so that the lower one has the share
+/// min(1/2, p_b / ((3 L + 2) rho g |z_i - z_j|)). The mean is right to second order; less of the lower node keeps the flux
+/// growing with the upper one's water and falling with the lower one's however coarse the mesh, so that no node is
+/// drained below zero and nothing oscillates.
+class Wicking {
+  public:
+    /// Most explicit steps that a call takes before it takes one implicit step instead.
+    static constexpr int mostExplicitSteps = 8;
+
+    Wicking(const Fabric& fabric, const ClothMesh& mesh);
+    Wicking(const Fabric& fabric, const ClothMesh& mesh, const std::vector<Edge>& edges);
+    ~Wicking();
+    Wicking(Wicking&&) noexcept;
+    Wicking& operator=(Wicking&&) noexcept;
+
+    /// Longest explicit step that keeps every store at or above zero, s.
+    double explicitBound(double gravity) const;
+
+    /// Lets `dt` seconds pass. Pores may be left fuller than their capacity where gravity drives water together; the caller
+    /// moves the surplus to the film.
+    /// @param heights     of the nodes, m
+    /// @param capacities  of the nodes' pores, kg
+    /// @param poreMass    of the nodes, kg
+    void step(double dt, const std::vector<float>& heights, double gravity,
+              const std::vector<double>& capacities, std::vector<double>& poreMass);
+
+    /// Memory for all nodes and edges, bytes, without the solver of implicit steps.
+    std::size_t bytes() const;
+
+  private:
+    void explicitStep(double dt, const float* heights, double gravity, double* poreMass);
+    void evaluate(const double* poreMass, double psiFactor);
+
+    BrooksCorey curve_;
+    double fluxScale_;        // rho h / mu, kg s / (m2 ... ) per unit of conductance and Pa
+    double longestEdge_ = 0;  // m
+    EdgeRuns runs_;
+    std::vector<float> inverseCapacities_;  // 1/kg; 0 for a node without cloth
+    double largestPsiRate_ = 0;             // of any node, sum of conductances over capacity, m2/kg
+    double largestGravityRate_ = 0;         // the same, of conductance x length, m3/kg
+    std::vector<float> psi_;                // of each node, kg that a unit of conductance passes in the step
+    std::vector<float> permeability_;       // of each node, relative
+    std::unique_ptr<ImplicitWicking> implicit_;  // made when first needed
+};
+
+}  // namespace drench
