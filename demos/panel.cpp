@@ -37,6 +37,9 @@ void showLedger(const SceneSheet& sheet) {
     ImGui::Text("  supplied   %8.4f kg", ledger.supplied);
     ImGui::Text("  in pores   %8.4f kg", moisture.totalPoreMass());
     ImGui::Text("  in film    %8.4f kg", moisture.totalFilmMass());
+    ImGui::Text("  dripped    %8.4f kg", ledger.dripped);
+    ImGui::Text("  evaporated %8.4f kg", ledger.evaporated);
+    ImGui::Text("  returned   %8.4f kg", ledger.returned);
 }
 
 }  // namespace

@@ -89,6 +89,13 @@ std::string frameName(int frame) {
     return name.str();
 }
 
+/// out.csv becomes out-water.csv.
+std::filesystem::path besideFor(const std::filesystem::path& csv) {
+    std::filesystem::path beside = csv;
+    beside.replace_filename(csv.stem().string() + "-water" + csv.extension().string());
+    return beside;
+}
+
 }  // namespace
 
 int runHeadless(Scene& scene, const RunOptions& options) {
@@ -96,8 +103,10 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     if (!options.frames.empty()) album = std::make_unique<Album>(options.frames);
 
     ProgressLine progress;
+    WaterLog log(scene);
     for (int frame = 1; !scene.finished(); ++frame) {
         scene.advance();
+        log.note(scene);
         progress.show(scene);
         if (!album) continue;
         if (const auto moment = scene.moment())
@@ -108,7 +117,7 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     progress.end();
 
     scene.report(std::cout);
-    writeResult(options, scene);
+    writeResult(options, scene, log);
     if (album) album->writeContactSheet();
 
     const auto failures = scene.failures();
@@ -118,12 +127,18 @@ int runHeadless(Scene& scene, const RunOptions& options) {
 }
 
 void checkTargets(const RunOptions& options) {
-    if (!options.csv.empty()) checkWritable(options.csv);
+    if (!options.csv.empty()) {
+        checkWritable(options.csv);
+        checkWritable(besideFor(options.csv));
+    }
     if (!options.frames.empty()) checkWritable(options.frames / "picture.png");
 }
 
-void writeResult(const RunOptions& options, const Scene& scene) {
-    if (!options.csv.empty()) writeCsv(options.csv, scene.table());
+void writeResult(const RunOptions& options, const Scene& scene, const WaterLog& log) {
+    if (options.csv.empty()) return;
+    const auto result = scene.result();
+    writeCsv(options.csv, result ? *result : log.table());
+    if (result) writeCsv(besideFor(options.csv), log.table());
 }
 
 }  // namespace drench::demo

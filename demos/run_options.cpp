@@ -50,7 +50,9 @@ ParsedOptions parseOptions(int argc, char** argv) {
         ->check(CLI::Range(8, 512));
     app.add_option("--fabric", run.sceneOptions.fabric, "the cloth [cotton]")
         ->check(CLI::IsMember(fabrics::names()));
-    app.add_option("--csv", run.csv, "write the result to this file");
+    app.add_option(
+        "--csv", run.csv,
+        "write the water of each frame to this file; ten-steps: its result, and the water beside it");
     app.add_option("--frames", run.frames, "write pictures (PNG) into this folder");
     app.add_option("--every", run.every, "a picture each so many frames of 1/60 s [the scene's own moments]")
         ->check(CLI::Range(1, 1000000));

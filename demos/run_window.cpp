@@ -42,6 +42,7 @@ class WindowRun {
   private:
     void restart() {
         scene_ = sceneByName(options_.scene).make(options_.sceneOptions);
+        log_ = std::make_unique<WaterLog>(*scene_);
         reported_ = false;
     }
 
@@ -77,6 +78,7 @@ class WindowRun {
             return;
         }
         scene_->advance();
+        log_->note(*scene_);
         ++frames_;
         if (options_.frames.empty()) return;
         if (const auto moment = scene_->moment())
@@ -90,7 +92,7 @@ class WindowRun {
         reported_ = true;
         scene_->report(std::cout);
         std::cout << std::flush;
-        writeResult(options_, *scene_);
+        writeResult(options_, *scene_, *log_);
     }
 
     viewer::Picture pictureNow() {
@@ -116,6 +118,7 @@ class WindowRun {
     viewer::Window window_;
     viewer::Renderer renderer_;
     std::unique_ptr<Scene> scene_;
+    std::unique_ptr<WaterLog> log_;
     bool paused_ = false;
     bool stepOnce_ = false;
     bool reported_ = false;

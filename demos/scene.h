@@ -57,8 +57,11 @@ class Scene {
     /// Wind speed where the scene lets it blow, m/s; may be changed at any time.
     virtual double& windSpeed() = 0;
 
-    /// The result as rows of numbers.
-    virtual Table table() const = 0;
+    /// Columns of its own that the water log of each frame gets, and their values now.
+    virtual std::vector<Column> columns() const { return {}; }
+    virtual std::vector<double> row() const { return {}; }
+    /// The result as rows of numbers, where that is something else than the log of each frame.
+    virtual std::optional<Table> result() const { return std::nullopt; }
     /// Writes the result for people.
     virtual void report(std::ostream& out) const = 0;
     /// What is wrong with the result; empty if it is as it should be.

@@ -82,10 +82,8 @@ Drape::Drape(const SceneOptions& options)
     for (const auto& side : sides_) bound = std::min(bound, side->cloth->stepBound());
     substeps_ = std::clamp(int(std::ceil(frameTime / bound)), 1, mostSubsteps);
     for (const auto& side : sides_) side->sheet->m_cfg.kDP = btScalar(restDamping * frameTime / substeps_);
-    table_.columns = {{"time_s", 2},       {"dry_mass_kg", 4}, {"dry_lowest_m", 4}, {"dry_penetration_m", 5},
-                      {"dry_spread_m", 4}, {"wet_mass_kg", 4}, {"wet_lowest_m", 4}, {"wet_penetration_m", 5},
-                      {"wet_spread_m", 4}};
-    noteRow();
+    table_.columns = columns();
+    table_.columns.insert(table_.columns.begin(), {"time_s", 2});
 }
 
 Drape::~Drape() = default;
@@ -110,17 +108,24 @@ void Drape::advance() {
     bullet_.step(frameTime, substeps_);
     ++frames_;
     time_ = frames_ * frameTime;
-    if (frames_ % 6 == 0 || finished()) noteRow();
+    if (frames_ % 6 != 0 && !finished()) return;
+    table_.rows.push_back(row());
+    table_.rows.back().insert(table_.rows.back().begin(), time_);
 }
 
-void Drape::noteRow() {
-    std::vector<double> row{time_};
+std::vector<Column> Drape::columns() const {
+    return {{"dry_mass_kg", 4}, {"dry_lowest_m", 4}, {"dry_penetration_m", 5}, {"dry_spread_m", 4},
+            {"wet_mass_kg", 4}, {"wet_lowest_m", 4}, {"wet_penetration_m", 5}, {"wet_spread_m", 4}};
+}
+
+std::vector<double> Drape::row() const {
+    std::vector<double> values;
     for (const auto& side : sides_) {
         const int nodes = static_cast<int>(std::lround(std::sqrt(double(side->sheet->m_nodes.size()))));
         for (const double value : {side->mass(), side->lowest(), side->penetration(), side->spread(nodes)})
-            row.push_back(value);
+            values.push_back(value);
     }
-    table_.rows.push_back(std::move(row));
+    return values;
 }
 
 std::string Drape::status() const {

@@ -25,7 +25,8 @@ class Drape final : public Scene {
     std::optional<std::string> moment() const override;
     std::vector<SceneSheet> sheets() override;
     double& windSpeed() override { return windSpeed_; }
-    Table table() const override { return table_; }
+    std::vector<Column> columns() const override;
+    std::vector<double> row() const override;
     void report(std::ostream& out) const override;
     std::vector<std::string> failures() const override;
 
@@ -33,7 +34,6 @@ class Drape final : public Scene {
     struct Side;
 
     void addSide(const std::string& name, double x, double shareOfSaturation, int nodes);
-    void noteRow();
 
     Fabric fabric_;
     double duration_;
@@ -43,7 +43,7 @@ class Drape final : public Scene {
     int substeps_ = 1;
     int frames_ = 0;
     double time_ = 0;
-    Table table_;
+    Table table_;  // each tenth of a second, for the report
 };
 
 }  // namespace drench::demo

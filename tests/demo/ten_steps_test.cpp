@@ -93,7 +93,6 @@ class Verdict final : public Scene {
     viewer::Picture picture() const override { return {}; }
     std::vector<SceneSheet> sheets() override { return {}; }
     double& windSpeed() override { return wind_; }
-    Table table() const override { return {}; }
     void report(std::ostream&) const override {}
     std::vector<std::string> failures() const override {
         return good_ ? std::vector<std::string>{} : std::vector<std::string>{"something is wrong"};
