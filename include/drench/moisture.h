@@ -67,7 +67,7 @@ class Moisture {
     /// falls by exp(-dt / wettingTime) as long as the film lasts; pore water wicks and drains, what pores cannot hold goes to
     /// the film; the film runs down and drips. Parts of it that need shorter steps take them, or take one implicit step where
     /// more than eight would be needed: any dt will do.
-    /// @throws std::invalid_argument for a dt that is negative or not finite, heights that are not one a node, a gravity or
+    /// @throws std::invalid_argument for a dt that is negative or not finite, heights that are not finite or not one a node, a gravity or
     ///     drying rate below 0, a humidity not in [0, 1).
     void step(double dt, const Surroundings& surroundings);
     /// The same for a level sheet without weight, sealed from the air.
@@ -130,7 +130,6 @@ class Moisture {
     std::vector<double> poreMass_;
     std::vector<double> filmMass_;
     double thickestFilm_ = 0;  // on any face after absorption, m
-    double largestFilm_ = 0;   // of any node then, kg
     std::vector<Shed> shed_;
     std::vector<Account> accounts_;
     double dripped_ = 0;

@@ -26,15 +26,9 @@ Side previousSide(Side side) {
 class IntrinsicTriangles {
   public:
     IntrinsicTriangles(const ClothMesh& mesh, double scaleWarp, double scaleWeft) {
-        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const Eigen::Vector2d along =
-                    mesh.coordinates[t][(corner + 1) % 3] - mesh.coordinates[t][corner];
-                from_.push_back(mesh.triangles[t][corner]);
-                length_.push_back(std::hypot(along.x() * scaleWarp, along.y() * scaleWeft));
-                restLength_.push_back(along.norm());
-            }
-        findTwins(mesh.size());
+        std::vector<char> reversed(mesh.triangles.size(), 0);
+        cut(mesh, scaleWarp, scaleWeft, reversed);
+        if (turnAlike(reversed)) cut(mesh, scaleWarp, scaleWeft, reversed);
     }
 
     /// Flips sides until none has angles opposite to it of more than 180 degrees together.
@@ -66,6 +60,7 @@ class IntrinsicTriangles {
 
   private:
     double length(Side side) const { return length_[static_cast<std::size_t>(side)]; }
+    Side partner(Side side) const { return partner_[static_cast<std::size_t>(side)]; }
     Side twin(Side side) const { return twin_[static_cast<std::size_t>(side)]; }
 
     /// Heron's formula in Kahan's order, which needles do not spoil.
@@ -77,9 +72,57 @@ class IntrinsicTriangles {
         return std::max(0.25 * std::sqrt(std::max(product, 0.0)), 1e-12 * a * a);
     }
 
-    /// Pairs sides that run along each other in opposite senses, two to an edge; any others are not for flipping.
-    void findTwins(std::size_t nodes) {
+    void cut(const ClothMesh& mesh, double scaleWarp, double scaleWeft, const std::vector<char>& reversed) {
+        from_.clear();
+        length_.clear();
+        restLength_.clear();
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            const std::array<std::size_t, 3> order =
+                reversed[t] ? std::array<std::size_t, 3>{0, 2, 1} : std::array<std::size_t, 3>{0, 1, 2};
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::size_t corner = order[i], next = order[(i + 1) % 3];
+                const Eigen::Vector2d along = mesh.coordinates[t][next] - mesh.coordinates[t][corner];
+                from_.push_back(mesh.triangles[t][corner]);
+                length_.push_back(std::hypot(along.x() * scaleWarp, along.y() * scaleWeft));
+                restLength_.push_back(along.norm());
+            }
+        }
+        findPartners(mesh.size());
         twin_.assign(from_.size(), none);
+        for (Side side = 0; side < sides(); ++side)
+            if (partner(side) != none && from(partner(side)) != from(side)) join(side, partner(side));
+    }
+
+    /// Finds the triangles to reverse so that neighbours go round in the same sense, which flipping needs; a mesh may have
+    /// them mixed. @return whether there are any
+    bool turnAlike(std::vector<char>& reversed) const {
+        std::vector<char> seen(reversed.size(), 0);
+        std::vector<std::size_t> open;
+        bool any = false;
+        for (std::size_t first = 0; first < reversed.size(); ++first) {
+            if (seen[first]) continue;
+            seen[first] = 1;
+            open.push_back(first);
+            while (!open.empty()) {
+                const std::size_t t = open.back();
+                open.pop_back();
+                for (Side side = static_cast<Side>(3 * t); side < static_cast<Side>(3 * t + 3); ++side) {
+                    if (partner(side) == none) continue;
+                    const auto neighbour = static_cast<std::size_t>(partner(side) / 3);
+                    if (seen[neighbour]) continue;
+                    seen[neighbour] = 1;
+                    const bool alike = from(partner(side)) != from(side);
+                    reversed[neighbour] = alike ? reversed[t] : !reversed[t];
+                    any = any || reversed[neighbour];
+                    open.push_back(neighbour);
+                }
+            }
+        }
+        return any;
+    }
+
+    /// Pairs sides along each other, where there are two to an edge.
+    void findPartners(std::size_t nodes) {
         // Sides by their lower node: there are few at each, and among these it is quick to look.
         const auto lower = [this](Side side) { return std::min(from(side), from(nextSide(side))); };
         const auto upper = [this](Side side) { return std::max(from(side), from(nextSide(side))); };
@@ -89,16 +132,16 @@ class IntrinsicTriangles {
         std::vector<Side> at(from_.size());
         std::vector<std::size_t> end = begin;
         for (Side side = 0; side < sides(); ++side) at[end[static_cast<std::size_t>(lower(side))]++] = side;
+        partner_.assign(from_.size(), none);
         for (std::size_t node = 0; node < nodes; ++node)
             for (std::size_t i = begin[node]; i < begin[node + 1]; ++i) {
-                Side partner = none;
                 int along = 0;
-                for (std::size_t j = begin[node]; j < begin[node + 1]; ++j)
-                    if (upper(at[j]) == upper(at[i]) && j != i) {
-                        partner = at[j];
-                        ++along;
-                    }
-                if (along == 1 && from(partner) != from(at[i])) join(at[i], partner);
+                for (std::size_t j = begin[node]; j < begin[node + 1]; ++j) {
+                    if (upper(at[j]) != upper(at[i]) || j == i) continue;
+                    partner_[static_cast<std::size_t>(at[i])] = at[j];
+                    ++along;
+                }
+                if (along != 1) partner_[static_cast<std::size_t>(at[i])] = none;
             }
     }
 
@@ -164,7 +207,8 @@ class IntrinsicTriangles {
     std::vector<int> from_;
     std::vector<double> length_;      // in which the permeability is the same in all directions
     std::vector<double> restLength_;  // m
-    std::vector<Side> twin_;
+    std::vector<Side> partner_;       // as cut first, the other side along the same edge
+    std::vector<Side> twin_;          // the same as it is now, in the opposite sense
 };
 
 }  // namespace

@@ -77,7 +77,7 @@ void FilmFlow::run(double dt, const std::vector<float>& heights, double gravity,
     if (steps <= mostSteps)
         runInSteps(dt, static_cast<int>(steps), heights.data(), gravity, filmMass.data());
     else
-        runInOneSweep(dt, heights, gravity, filmMass.data());
+        runInSweeps(dt, heights, gravity, filmMass.data());
 }
 
 void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gravity, double* filmMass) {
@@ -119,11 +119,17 @@ void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gra
     }
 }
 
-/// Backward Euler, node by node from the highest down: when a node's turn comes, all that flows to it has come.
-void FilmFlow::runInOneSweep(double dt, const std::vector<float>& heights, double gravity, double* filmMass) {
+/// Backward Euler, node by node from the highest down: when a node's turn comes, all that flows to it has come. One such
+/// sweep would do at any length of step; a few are more exact.
+void FilmFlow::runInSweeps(double dt, const std::vector<float>& heights, double gravity, double* filmMass) {
     std::sort(downwards_.begin(), downwards_.end(), [&](int a, int b) {
         return heights[static_cast<std::size_t>(a)] > heights[static_cast<std::size_t>(b)];
     });
+    for (int sweep = 0; sweep < mostSteps; ++sweep)
+        sweepDown(dt / mostSteps, heights.data(), gravity, filmMass);
+}
+
+void FilmFlow::sweepDown(double dt, const float* heights, double gravity, double* filmMass) {
     for (const int node : downwards_) {
         const auto n = static_cast<std::size_t>(node);
         const double massPerThickness = 2 * waterDensity * double(areas_[n]);
@@ -156,6 +162,10 @@ bool FilmFlow::hasLowerNeighbour(std::size_t node, const std::vector<float>& hei
 
 void FilmFlow::drip(const std::vector<float>& heights, const std::vector<float>& openAreas,
                     std::vector<double>& filmMass, std::vector<Moisture::Shed>& shed) {
+    double largest = 0;
+#pragma omp simd reduction(max : largest)
+    for (std::size_t n = 0; n < filmMass.size(); ++n) largest = std::max(largest, filmMass[n]);
+    if (largest < dropMass) return;
     for (std::size_t n = 0; n < filmMass.size(); ++n) {
         const double massPerThickness = 2 * waterDensity * double(areas_[n]);
         if (filmMass[n] < massPerThickness * retainedFilmThickness + dropMass || !(openAreas[n] > 0))

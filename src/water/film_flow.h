@@ -40,7 +40,8 @@ class FilmFlow {
     FilmFlow(const ClothMesh& mesh, const std::vector<Edge>& edges);
 
     void runInSteps(double dt, int steps, const float* heights, double gravity, double* filmMass);
-    void runInOneSweep(double dt, const std::vector<float>& heights, double gravity, double* filmMass);
+    void runInSweeps(double dt, const std::vector<float>& heights, double gravity, double* filmMass);
+    void sweepDown(double dt, const float* heights, double gravity, double* filmMass);
     bool hasLowerNeighbour(std::size_t node, const std::vector<float>& heights) const;
 
     EdgeRuns runs_;

@@ -8,7 +8,7 @@ namespace drench {
 namespace {
 
 constexpr int mostIterations = 40;
-constexpr double tolerance = 1e-13;  // of a node's capacity
+constexpr double tolerance = 1e-12;  // of a node's capacity
 constexpr int mostPieces = 4096;     // that a step is cut into
 
 /// Index of an entry within the values of a matrix.

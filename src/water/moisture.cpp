@@ -23,6 +23,11 @@ void checkStep(double dt, const Surroundings& surroundings, std::size_t nodes) {
     if (!surroundings.heights.empty() && surroundings.heights.size() != nodes)
         refuse("there are heights for " + std::to_string(surroundings.heights.size()) + " nodes of " +
                std::to_string(nodes) + "; give one a node, or none");
+    float off = 0;  // 0 as long as all are finite
+#pragma omp simd reduction(+ : off)
+    for (std::size_t n = 0; n < surroundings.heights.size(); ++n)
+        off += surroundings.heights[n] - surroundings.heights[n];
+    if (off != 0 || std::isnan(off)) refuse("the height of a node is not finite; give metres");
     if (!(surroundings.gravity >= 0 && surroundings.gravity <= 1e4))
         refuse("a gravity of " + std::to_string(surroundings.gravity) + " m/s2; give 0 to 10000");
     if (!(surroundings.dryingRate >= 0 && surroundings.dryingRate <= 1))
@@ -131,7 +136,9 @@ void Moisture::cover(std::size_t node, double share) {
         throw std::invalid_argument("drench: a covered share of " + std::to_string(share) + " for node " +
                                     std::to_string(node) + "; give 0 to 1");
     if (share == 0) return;
-    openAreas_[node] = std::max(openAreas_[node] - static_cast<float>(share * areas_[node]), 0.0f);
+    const double open = double(openAreas_[node]) - share * areas_[node];
+    constexpr double rounding = 1e-5;  // of shares that should add up to 1
+    openAreas_[node] = open > rounding * areas_[node] ? static_cast<float>(open) : 0.0f;
     covered_.push_back(node);
 }
 
@@ -156,7 +163,7 @@ void Moisture::step(double dt, const Surroundings& surroundings) {
     spillOver();
     if (dt > 0 && gravity > 0) {
         parts_->film.run(dt, heights, gravity, thickestFilm_, filmMass_);
-        if (largestFilm_ >= dropMass) parts_->film.drip(heights, openAreas_, filmMass_, shed_);
+        parts_->film.drip(heights, openAreas_, filmMass_, shed_);
         for (const Shed& shed : shed_) dripped_ += double(shed.drops) * dropMass;
     }
     uncover();
@@ -181,18 +188,15 @@ void Moisture::spillOver() {
     const double* capacity = capacities_.data();
     double *pore = poreMass_.data(), *film = filmMass_.data();
     float thickest = 0;
-    double largest = 0;
-#pragma omp simd reduction(max : thickest, largest)
+#pragma omp simd reduction(max : thickest)
     for (std::size_t n = 0; n < poreMass_.size(); ++n) {
         const double surplus = std::max(pore[n] - capacity[n], 0.0);
         pore[n] -= surplus;
         const double onFaces = film[n] + surplus;
         film[n] = onFaces;
-        largest = std::max(largest, onFaces);
         const float thickness = static_cast<float>(onFaces) / (static_cast<float>(capacity[n]) + 1e-30f);
         thickest = std::max(thickest, thickness);
     }
-    largestFilm_ = largest;
     thickestFilm_ = double(thickest) * poreCapacity_ / (2 * waterDensity);
 }
 
