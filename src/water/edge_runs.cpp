@@ -13,31 +13,41 @@ bool follows(const Edge& edge, const Edge& before) {
 }  // namespace
 
 EdgeRuns::EdgeRuns(const std::vector<Edge>& edges) {
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const bool goesOn = i > 0 && follows(edges[i], edges[i - 1]) && runs_.back().count < longest;
-        if (!goesOn)
-            runs_.push_back(
-                {static_cast<std::size_t>(edges[i].a), static_cast<std::size_t>(edges[i].b), i, 0});
-        ++runs_.back().count;
+    std::vector<Edge> loose;
+    for (std::size_t first = 0; first < edges.size();) {
+        std::size_t count = 1;
+        while (first + count < edges.size() && count < longest &&
+               follows(edges[first + count], edges[first + count - 1]))
+            ++count;
+        if (count >= shortest)
+            runs_.push_back({static_cast<std::size_t>(edges[first].a),
+                             static_cast<std::size_t>(edges[first].b), first, count});
+        else
+            loose.insert(loose.end(), edges.begin() + std::ptrdiff_t(first),
+                         edges.begin() + std::ptrdiff_t(first + count));
+        first += count;
     }
     // Nodes that are close in memory are then close in time, whatever the direction of their edges.
     std::stable_sort(runs_.begin(), runs_.end(), [](const Run& x, const Run& y) { return x.a < y.a; });
+    std::stable_sort(loose.begin(), loose.end(), [](const Edge& x, const Edge& y) { return x.a < y.a; });
 
-    conductance_.reserve(edges.size());
-    for (Run& run : runs_) {
-        const std::size_t first = conductance_.size();
+    for (const Run& run : runs_)
         for (std::size_t k = 0; k < run.count; ++k)
             conductance_.push_back(static_cast<float>(edges[run.first + k].conductance));
-        run.first = first;
+    for (const Edge& edge : loose) {
+        loose_.push_back({edge.a, edge.b});
+        conductance_.push_back(static_cast<float>(edge.conductance));
     }
 }
 
 std::vector<Edge> EdgeRuns::edges() const {
     std::vector<Edge> edges;
+    auto conductance = conductance_.begin();
     for (const Run& run : runs_)
         for (std::size_t k = 0; k < run.count; ++k)
-            edges.push_back({static_cast<int>(run.a + k), static_cast<int>(run.b + k),
-                             double(conductance_[run.first + k]), 0});
+            edges.push_back(
+                {static_cast<int>(run.a + k), static_cast<int>(run.b + k), double(*conductance++), 0});
+    for (const Ends& ends : loose_) edges.push_back({ends.a, ends.b, double(*conductance++), 0});
     return edges;
 }
 

@@ -1,6 +1,7 @@
 // Edges in the order in which a processor likes to walk them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -9,33 +10,66 @@
 namespace drench {
 
 /// Edges as runs of neighbours: edge k of a run joins the nodes a + k and b + k. A grid falls into a few long runs, which
-/// are walked several edges at a time; on an irregular mesh most runs are short.
+/// are walked several edges at a time. What fits in no run, on an irregular mesh nearly everything, is walked one by one.
 class EdgeRuns {
   public:
-    struct Run {
-        std::size_t a;      ///< first node on one end
-        std::size_t b;      ///< first node on the other end
-        std::size_t first;  ///< edge
-        std::size_t count;  ///< edges, at most `longest`
-    };
-    /// What one run passes fits into the nearest cache.
-    static constexpr std::size_t longest = 512;
-
     /// @param edges  by (b - a, a)
     explicit EdgeRuns(const std::vector<Edge>& edges);
 
-    const std::vector<Run>& runs() const { return runs_; }
-    /// Of each edge, by its index within the runs.
-    const std::vector<float>& conductance() const { return conductance_; }
-    /// All edges, in the order of the runs, without their lengths.
+    bool empty() const { return conductance_.empty(); }
+
+    /// Moves mass along every edge: what `flux(a, b, conductance)` says, kg from node a to node b, leaves the one and enters the
+    /// other. The flux must not depend on the masses that are being moved.
+    template <typename Flux>
+    void move(double* mass, const Flux& flux) const;
+
+    /// All edges, without their lengths.
     std::vector<Edge> edges() const;
 
     /// Memory for all edges.
-    std::size_t bytes() const { return runs_.size() * sizeof(Run) + conductance_.size() * sizeof(float); }
+    std::size_t bytes() const {
+        return runs_.size() * sizeof(Run) + loose_.size() * sizeof(Ends) +
+               conductance_.size() * sizeof(float);
+    }
 
   private:
+    struct Run {
+        std::size_t a;      // first node on one end
+        std::size_t b;      // first node on the other end
+        std::size_t first;  // edge, in the order given
+        std::size_t count;  // edges
+    };
+    struct Ends {
+        int a, b;
+    };
+    /// Long enough to pay, and short enough that what a run moves fits into the nearest cache.
+    static constexpr std::size_t shortest = 8, longest = 512;
+
     std::vector<Run> runs_;
-    std::vector<float> conductance_;
+    std::vector<Ends> loose_;
+    std::vector<float> conductance_;  // of the edges in runs, then of the loose ones
 };
+
+template <typename Flux>
+void EdgeRuns::move(double* mass, const Flux& flux) const {
+    std::array<float, longest> moved;
+    const float* conductance = conductance_.data();
+    for (const Run& run : runs_) {
+        const std::size_t a = run.a, b = run.b, count = run.count;
+#pragma omp simd
+        for (std::size_t k = 0; k < count; ++k) moved[k] = flux(a + k, b + k, conductance[k]);
+#pragma omp simd
+        for (std::size_t k = 0; k < count; ++k) mass[a + k] -= static_cast<double>(moved[k]);
+#pragma omp simd
+        for (std::size_t k = 0; k < count; ++k) mass[b + k] += static_cast<double>(moved[k]);
+        conductance += count;
+    }
+    for (const Ends& ends : loose_) {
+        const auto a = static_cast<std::size_t>(ends.a), b = static_cast<std::size_t>(ends.b);
+        const auto one = static_cast<double>(flux(a, b, *conductance++));
+        mass[a] -= one;
+        mass[b] += one;
+    }
+}
 
 }  // namespace drench

@@ -1,7 +1,6 @@
 #include "film_flow.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -71,7 +70,7 @@ std::size_t FilmFlow::bytes() const {
 void FilmFlow::run(double dt, const std::vector<float>& heights, double gravity, double thickest,
                    std::vector<double>& filmMass) {
     const double mobile = std::min(thickest - retainedFilmThickness, thickestFilm);
-    if (!(mobile > 0) || !(gravity > 0) || runs_.runs().empty()) return;
+    if (!(mobile > 0) || !(gravity > 0) || runs_.empty()) return;
     const double fastest = fluidity(gravity) * mobile * mobile * double(largestRate_);
     const double steps = std::max(1.0, std::ceil(dt * fastest / courantNumber));
     if (steps <= mostSteps)
@@ -85,37 +84,24 @@ void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gra
     const float doubleDensity = static_cast<float>(2 * waterDensity);
     const float rate = static_cast<float>(2 * fluidity(gravity) * dt / steps);
     const float retained = static_cast<float>(retainedFilmThickness), most = static_cast<float>(thickestFilm);
-    const float *area = areas_.data(), *inverseArea = inverseAreas_.data(),
-                *outflow = steepestOutflow_.data();
+    const float inverseDensity = 1 / doubleDensity;  // of both faces' films together
+    const float *inverseArea = inverseAreas_.data(), *outflow = steepestOutflow_.data();
     float* mobility = mobility_.data();
-    std::array<float, EdgeRuns::longest> flux;  // kg in the step
     for (int i = 0; i < steps; ++i) {
         // What a film that only drains has lost after a while, m (1 - 1 / sqrt(1 + 2 x)), is never all of it.
 #pragma omp simd
         for (std::size_t n = 0; n < nodes; ++n) {
-            const float thickness = static_cast<float>(filmMass[n]) * inverseArea[n] / doubleDensity;
+            const float thickness = static_cast<float>(filmMass[n]) * inverseArea[n] * inverseDensity;
             const float film = std::max(thickness - retained, 0.0f), runs = std::min(film, most);
             const float twice = rate * outflow[n] * inverseArea[n] * runs * runs;
             const float root = std::sqrt(1 + twice);
             // (1 - 1 / root) / outflow, without the difference of nearly equal numbers
-            mobility[n] =
-                doubleDensity * area[n] * film * rate * inverseArea[n] * runs * runs / (root * (root + 1));
+            mobility[n] = doubleDensity * rate * film * runs * runs / (root * (root + 1));
         }
-        for (const EdgeRuns::Run& run : runs_.runs()) {
-            const float* conductance = runs_.conductance().data() + run.first;
-            const float *mobilityA = mobility + run.a, *mobilityB = mobility + run.b;
-            const float *heightA = heights + run.a, *heightB = heights + run.b;
-#pragma omp simd
-            for (std::size_t k = 0; k < run.count; ++k) {
-                const float rise = heightA[k] - heightB[k];
-                flux[k] = conductance[k] * rise * (rise > 0 ? mobilityA[k] : mobilityB[k]);
-            }
-            double *massA = filmMass + run.a, *massB = filmMass + run.b;
-#pragma omp simd
-            for (std::size_t k = 0; k < run.count; ++k) massA[k] -= static_cast<double>(flux[k]);
-#pragma omp simd
-            for (std::size_t k = 0; k < run.count; ++k) massB[k] += static_cast<double>(flux[k]);
-        }
+        runs_.move(filmMass, [=](std::size_t a, std::size_t b, float conductance) {
+            const float rise = heights[a] - heights[b];
+            return conductance * rise * (rise > 0 ? mobility[a] : mobility[b]);
+        });
     }
 }
 

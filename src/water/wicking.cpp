@@ -1,7 +1,6 @@
 #include "wicking.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -67,7 +66,7 @@ double Wicking::explicitBound(double gravity) const {
 
 void Wicking::step(double dt, const std::vector<float>& heights, double gravity,
                    const std::vector<double>& capacities, std::vector<double>& poreMass) {
-    if (runs_.runs().empty() || !(dt > 0)) return;
+    if (runs_.empty() || !(dt > 0)) return;
     const double steps = std::max(1.0, std::ceil(dt / explicitBound(gravity)));
     if (steps > mostExplicitSteps) {
         if (!implicit_)
@@ -109,26 +108,13 @@ void Wicking::explicitStep(double dt, const float* heights, double gravity, doub
     evaluate(poreMass, dt * fluxScale_ * curve_.psiScale());
     const float weight = static_cast<float>(dt * fluxScale_ * waterDensity * gravity);
     const float share = static_cast<float>(lowerShare(curve_, gravity, longestEdge_));
-    std::array<float, EdgeRuns::longest> flux;  // kg in the step
-    for (const EdgeRuns::Run& run : runs_.runs()) {
-        const float* conductance = runs_.conductance().data() + run.first;
-        const float *psiA = psi_.data() + run.a, *psiB = psi_.data() + run.b;
-        const float *permeabilityA = permeability_.data() + run.a,
-                    *permeabilityB = permeability_.data() + run.b;
-        const float *heightA = heights + run.a, *heightB = heights + run.b;
-#pragma omp simd
-        for (std::size_t k = 0; k < run.count; ++k) {
-            const float rise = heightA[k] - heightB[k];
-            const float shareA = rise > 0 ? 1 - share : share;
-            const float permeability = permeabilityB[k] + shareA * (permeabilityA[k] - permeabilityB[k]);
-            flux[k] = conductance[k] * (psiA[k] - psiB[k] + weight * permeability * rise);
-        }
-        double *massA = poreMass + run.a, *massB = poreMass + run.b;
-#pragma omp simd
-        for (std::size_t k = 0; k < run.count; ++k) massA[k] -= static_cast<double>(flux[k]);
-#pragma omp simd
-        for (std::size_t k = 0; k < run.count; ++k) massB[k] += static_cast<double>(flux[k]);
-    }
+    const float *psi = psi_.data(), *permeability = permeability_.data();
+    runs_.move(poreMass, [=](std::size_t a, std::size_t b, float conductance) {
+        const float rise = heights[a] - heights[b];
+        const float shareA = rise > 0 ? 1 - share : share;
+        const float mean = permeability[b] + shareA * (permeability[a] - permeability[b]);
+        return conductance * (psi[a] - psi[b] + weight * mean * rise);
+    });
 }
 
 }  // namespace drench
