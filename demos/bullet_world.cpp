@@ -23,6 +23,10 @@ btRigidBody& BulletWorld::addBall(const btVector3& centre, double radius, double
     return add(std::make_unique<btSphereShape>(btScalar(radius)), centre, mass);
 }
 
+btRigidBody& BulletWorld::addBox(const btVector3& centre, const btVector3& halfExtents) {
+    return add(std::make_unique<btBoxShape>(halfExtents), centre, 0);
+}
+
 btRigidBody& BulletWorld::add(std::unique_ptr<btCollisionShape> shape, const btVector3& position,
                               double mass) {
     btVector3 inertia(0, 0, 0);

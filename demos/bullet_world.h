@@ -26,6 +26,9 @@ class BulletWorld {
     /// A ball; it stays where it is if its mass is 0.
     btRigidBody& addBall(const btVector3& centre, double radius, double mass);
 
+    /// A box along the axes of the world that stays where it is.
+    btRigidBody& addBox(const btVector3& centre, const btVector3& halfExtents);
+
     /// Steps the world by `frameTime`, in substeps of equal length.
     void step(double frameTime, int substeps);
 

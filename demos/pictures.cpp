@@ -1,8 +1,18 @@
 #include "pictures.h"
 
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 
 namespace drench::demo {
+
+namespace {
+
+Eigen::Quaternionf orientation(const btRigidBody& body) {
+    const btQuaternion turn = body.getWorldTransform().getRotation();
+    return {float(turn.w()), float(turn.x()), float(turn.y()), float(turn.z())};
+}
+
+}  // namespace
 
 Eigen::Vector3f toEigen(const btVector3& v) {
     return {float(v.x()), float(v.y()), float(v.z())};
@@ -27,13 +37,20 @@ viewer::SheetMesh sheetMesh(const btSoftBody& body, const WetCloth& cloth) {
     return mesh;
 }
 
+viewer::Box box(const btRigidBody& body) {
+    viewer::Box result;
+    result.centre = toEigen(body.getWorldTransform().getOrigin());
+    result.halfExtents =
+        toEigen(static_cast<const btBoxShape*>(body.getCollisionShape())->getHalfExtentsWithMargin());
+    result.orientation = orientation(body);
+    return result;
+}
+
 viewer::Ball ball(const btRigidBody& body) {
-    const btQuaternion turn = body.getWorldTransform().getRotation();
     viewer::Ball result;
     result.centre = toEigen(body.getWorldTransform().getOrigin());
     result.radius = float(static_cast<const btSphereShape*>(body.getCollisionShape())->getRadius());
-    result.orientation =
-        Eigen::Quaternionf(float(turn.w()), float(turn.x()), float(turn.y()), float(turn.z()));
+    result.orientation = orientation(body);
     return result;
 }
 

@@ -16,4 +16,7 @@ viewer::SheetMesh sheetMesh(const btSoftBody& body, const WetCloth& cloth);
 /// A rigid ball as it is now. @pre its shape is a btSphereShape
 viewer::Ball ball(const btRigidBody& body);
 
+/// A rigid box as it is now. @pre its shape is a btBoxShape
+viewer::Box box(const btRigidBody& body);
+
 }  // namespace drench::demo

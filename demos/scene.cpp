@@ -2,8 +2,12 @@
 
 #include <stdexcept>
 
+#include "scenes/clothesline.h"
 #include "scenes/drape.h"
+#include "scenes/rain.h"
+#include "scenes/spill.h"
 #include "scenes/ten_steps.h"
+#include "scenes/wick.h"
 
 namespace drench::demo {
 
@@ -15,9 +19,27 @@ const std::vector<SceneEntry>& scenes() {
          [](const SceneOptions& options) -> std::unique_ptr<Scene> {
              return std::make_unique<TenSteps>(options);
          }},
+        {"rain", "a sheet half under a roof while it rains",
+         [](const SceneOptions& options) -> std::unique_ptr<Scene> {
+             return std::make_unique<HalfUnderRoof>(options);
+         }},
+        {"spill", "water poured on the middle of a tablecloth spreads",
+         [](const SceneOptions& options) -> std::unique_ptr<Scene> {
+             return std::make_unique<Spill>(options);
+         }},
         {"drape", "a wet and a dry sheet fall on a ball each",
          [](const SceneOptions& options) -> std::unique_ptr<Scene> {
              return std::make_unique<Drape>(options);
+         }},
+        {"wick",
+         "a strip with its foot in water; prints height against time and the fitted Washburn coefficient",
+         [](const SceneOptions& options) -> std::unique_ptr<Scene> {
+             return std::make_unique<Wick>(options);
+         }},
+        {"clothesline",
+         "soaked laundry drips, then dries in time-lapse; CSV of mass, film, pores, dripped, evaporated",
+         [](const SceneOptions& options) -> std::unique_ptr<Scene> {
+             return std::make_unique<Clothesline>(options);
          }},
     };
     return all;

@@ -46,6 +46,16 @@ struct Rod {
     Eigen::Vector3f albedo = Eigen::Vector3f(0.4f, 0.4f, 0.4f);
 };
 
+// A box with flat faces: a table top, a roof.
+struct Box {
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+    // Half its length along each of its own axes, above 0; a box without volume is left out.
+    Eigen::Vector3f halfExtents = Eigen::Vector3f::Constant(0.1f);
+    // Turns its axes; has unit length.
+    Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+    Eigen::Vector3f albedo = Eigen::Vector3f(0.4f, 0.4f, 0.4f);
+};
+
 // A perspective camera that circles round the point it looks at.
 struct Camera {
     // The point in the middle of the picture.
@@ -82,6 +92,7 @@ struct Picture {
     std::vector<SheetMesh> sheets;
     std::vector<Ball> balls;
     std::vector<Rod> rods;
+    std::vector<Box> boxes;
     // Height of the level ground; it is seen from above only.
     float groundHeight = 0.0f;
     // Points from the scene to the sun; any length above 0.

@@ -72,6 +72,10 @@ struct Programs {
         "rod",
         {shaders::frame, shaders::rodVertex},
         {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::rodFragment}};
+    ShaderProgram box{
+        "box",
+        {shaders::frame, shaders::boxVertex},
+        {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::boxFragment}};
     ShaderProgram ground{
         "ground",
         {shaders::frame, shaders::groundVertex},
@@ -84,6 +88,7 @@ struct Programs {
         "sheet shadow", {shaders::frame, shaders::sheetVertex}, {shaders::depthFragment}};
     ShaderProgram ballDepth{"ball shadow", {shaders::frame, shaders::ballVertex}, {shaders::depthFragment}};
     ShaderProgram rodDepth{"rod shadow", {shaders::frame, shaders::rodVertex}, {shaders::depthFragment}};
+    ShaderProgram boxDepth{"box shadow", {shaders::frame, shaders::boxVertex}, {shaders::depthFragment}};
 };
 
 void addCorners(std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& centre, float radius) {
@@ -104,6 +109,13 @@ void addCorners(std::vector<Eigen::Vector3f>& points, const std::vector<Rod>& ro
     for (const Rod& rod : rods) {
         addCorners(points, rod.from, rod.radius);
         addCorners(points, rod.to, rod.radius);
+    }
+}
+
+void addCorners(std::vector<Eigen::Vector3f>& points, const std::vector<Box>& boxes) {
+    for (const Box& box : boxes) {
+        // However it is turned, it lies within the ball round its corners.
+        addCorners(points, box.centre, box.halfExtents.norm());
     }
 }
 
@@ -132,6 +144,7 @@ class Renderer::Scene {
     ShadowTarget shadow_{2048};
     Solids balls_{capsuleMesh(96, 24)};
     Solids rods_{capsuleMesh(20, 5)};
+    Solids boxes_{boxMesh()};
     std::vector<SheetBuffer> sheets_;
     std::size_t sheetCount_ = 0;
     std::optional<SceneTarget> target_;
@@ -167,6 +180,8 @@ void Renderer::Scene::drawShadows(const FrameUniforms& uniforms) const {
     balls_.draw();
     programs_.rodDepth.use();
     rods_.draw();
+    programs_.boxDepth.use();
+    boxes_.draw();
 }
 
 void Renderer::Scene::drawScene(const FrameUniforms& uniforms) {
@@ -182,6 +197,8 @@ void Renderer::Scene::drawScene(const FrameUniforms& uniforms) {
     balls_.draw();
     programs_.rod.use();
     rods_.draw();
+    programs_.box.use();
+    boxes_.draw();
     // What covers the most pixels comes last, where most of it is hidden already.
     glBindVertexArray(noAttributes_.name());
     if (uniforms.eye[1] > uniforms.ground[0]) {
@@ -219,11 +236,14 @@ void Renderer::Scene::draw(const Picture& picture, int width, int height, unsign
     resize(width, height);
     const std::vector<Ball> balls = drawableBalls(picture.balls);
     const std::vector<Rod> rods = drawableRods(picture.rods);
+    const std::vector<Box> boxes = drawableBoxes(picture.boxes);
     balls_.upload(instances(balls));
     rods_.upload(instances(rods));
+    boxes_.upload(instances(boxes));
     std::vector<Eigen::Vector3f> casters = uploadSheets(picture.sheets);
     addCorners(casters, balls);
     addCorners(casters, rods);
+    addCorners(casters, boxes);
     const ShadowFit shadow = fitShadow(casters, picture.towardsSun.normalized(), shadow_.resolution());
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     const FrameUniforms uniforms = cameraUniforms(picture, balls, aspect, shadow);

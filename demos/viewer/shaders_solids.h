@@ -1,4 +1,4 @@
-// How balls and rods are drawn: GLSL source pieces.
+// How balls, rods and boxes are drawn: GLSL source pieces.
 #pragma once
 
 namespace drench::viewer::shaders {
@@ -97,6 +97,52 @@ void main() {
     s.translucency = 0.0;
     s.openness = opennessAboveGround(position, s.normal);
     colour = vec4(toneMapped(shaded(s)), 1.0);
+}
+)";
+
+inline constexpr char boxVertex[] = R"(
+layout(location = 0) in vec4 cornerAndAxis;
+layout(location = 1) in vec4 centre;
+layout(location = 2) in vec4 orientation;
+layout(location = 3) in vec4 paint;
+layout(location = 4) in vec4 halfExtents;
+out vec3 position;
+flat out vec3 normal;
+flat out vec3 albedo;
+
+vec3 turned(vec3 vector, vec4 turn) {
+    return vector + 2.0 * cross(turn.xyz, cross(turn.xyz, vector) + turn.w * vector);
+}
+
+void main() {
+    vec3 corner = cornerAndAxis.xyz;
+    vec3 face = corner * vec3(equal(ivec3(0, 1, 2), ivec3(int(cornerAndAxis.w + 0.5))));
+    normal = turned(face, orientation);
+    position = centre.xyz + turned(halfExtents.xyz * corner, orientation);
+    albedo = paint.rgb;
+    gl_Position = clipFromWorld * vec4(position, 1.0);
+}
+)";
+
+// As on a ball, cloth that lies on the box wins against it; here pixel by pixel, since corners are far apart.
+inline constexpr char boxFragment[] = R"(
+in vec3 position;
+flat in vec3 normal;
+flat in vec3 albedo;
+out vec4 colour;
+
+void main() {
+    Surface s;
+    s.position = position;
+    s.normal = normalize(normal);
+    s.albedo = albedo;
+    s.reflectance = 0.04;
+    s.roughness = 0.8;
+    s.translucency = 0.0;
+    s.openness = opennessAboveGround(position, s.normal);
+    colour = vec4(toneMapped(shaded(s)), 1.0);
+    vec4 behind = clipFromWorld * vec4(position + 0.003 * normalize(position - eye.xyz), 1.0);
+    gl_FragDepth = 0.5 + 0.5 * behind.z / behind.w;
 }
 )";
 

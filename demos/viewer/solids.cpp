@@ -22,6 +22,10 @@ std::array<float, 4> packed(const Eigen::Vector3f& vector, float last) {
     return {vector.x(), vector.y(), vector.z(), last};
 }
 
+std::array<float, 4> packed(const Eigen::Quaternionf& turn) {
+    return {turn.x(), turn.y(), turn.z(), turn.w()};
+}
+
 const void* bufferOffset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);
 }
@@ -45,13 +49,21 @@ std::vector<Rod> drawableRods(const std::vector<Rod>& rods) {
     return kept;
 }
 
+std::vector<Box> drawableBoxes(const std::vector<Box>& boxes) {
+    std::vector<Box> kept;
+    std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(kept), [](const Box& box) {
+        const Eigen::Vector3f& half = box.halfExtents;
+        return drawable(box.centre) && drawable(half.x()) && drawable(half.y()) && drawable(half.z()) &&
+               box.albedo.allFinite() && box.orientation.coeffs().allFinite();
+    });
+    return kept;
+}
+
 std::vector<SolidInstance> instances(const std::vector<Ball>& balls) {
     std::vector<SolidInstance> packedBalls;
     for (const Ball& ball : balls) {
-        const Eigen::Quaternionf& turn = ball.orientation;
-        packedBalls.push_back({packed(ball.centre, ball.radius),
-                               {turn.x(), turn.y(), turn.z(), turn.w()},
-                               packed(ball.albedo, 1.0f)});
+        packedBalls.push_back(
+            {packed(ball.centre, ball.radius), packed(ball.orientation), packed(ball.albedo, 1.0f)});
     }
     return packedBalls;
 }
@@ -64,19 +76,29 @@ std::vector<SolidInstance> instances(const std::vector<Rod>& rods) {
     return packedRods;
 }
 
-Solids::Solids(const CapsuleMesh& mesh) : indexCount_(static_cast<GLsizei>(3 * mesh.triangles.size())) {
+std::vector<SolidInstance> instances(const std::vector<Box>& boxes) {
+    std::vector<SolidInstance> packedBoxes;
+    for (const Box& box : boxes) {
+        packedBoxes.push_back({packed(box.centre, 1.0f), packed(box.orientation), packed(box.albedo, 1.0f),
+                               packed(box.halfExtents, 0.0f)});
+    }
+    return packedBoxes;
+}
+
+Solids::Solids(const std::vector<Eigen::Vector4f>& vertices,
+               const std::vector<std::array<std::uint32_t, 3>>& triangles)
+    : indexCount_(static_cast<GLsizei>(3 * triangles.size())) {
     glBindVertexArray(vertexArray_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(mesh.vertices[0])),
-                 mesh.vertices.data(), GL_STATIC_DRAW);
-    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(mesh.vertices[0]), nullptr);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(vertices[0])),
+                 vertices.data(), GL_STATIC_DRAW);
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(vertices[0]), nullptr);
     glEnableVertexAttribArray(0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(mesh.triangles[0])),
-                 mesh.triangles.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(triangles[0])),
+                 triangles.data(), GL_STATIC_DRAW);
     glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
-    for (GLuint i = 0; i < 3; ++i) {
+    for (GLuint i = 0; i < 4; ++i) {
         glVertexAttribPointer(1 + i, 4, GL_FLOAT, GL_FALSE, sizeof(SolidInstance),
                               bufferOffset(i * sizeof(std::array<float, 4>)));
         glVertexAttribDivisor(1 + i, 1);

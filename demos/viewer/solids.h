@@ -1,22 +1,25 @@
-// Balls and rods in graphics memory.
+// Balls, rods and boxes in graphics memory.
 #pragma once
 
 #include <array>
 #include <vector>
 
+#include "viewer/box_mesh.h"
 #include "viewer/capsule_mesh.h"
 #include "viewer/gl_object.h"
 #include "viewer/picture.h"
 
 namespace drench::viewer {
 
-// One ball or rod as the vertex shaders read it.
+// One ball, rod or box as the vertex shaders read it.
 struct SolidInstance {
-    // A ball's centre and radius, or a rod's start and radius.
+    // A ball's centre and radius, a rod's start and radius, or a box's centre.
     std::array<float, 4> first;
-    // A ball's orientation (x, y, z, w), or a rod's end.
+    // The orientation (x, y, z, w) of a ball or a box, or a rod's end.
     std::array<float, 4> second;
     std::array<float, 4> albedo;
+    // Half the sides of a box.
+    std::array<float, 4> extents = {};
 };
 
 // The balls that can be drawn: finite, with a radius above 0.
@@ -24,18 +27,26 @@ std::vector<Ball> drawableBalls(const std::vector<Ball>& balls);
 // The rods that can be drawn: finite, with a radius above 0.
 std::vector<Rod> drawableRods(const std::vector<Rod>& rods);
 
+// The boxes that can be drawn: finite, with a volume above 0.
+std::vector<Box> drawableBoxes(const std::vector<Box>& boxes);
+
 std::vector<SolidInstance> instances(const std::vector<Ball>& balls);
 std::vector<SolidInstance> instances(const std::vector<Rod>& rods);
+std::vector<SolidInstance> instances(const std::vector<Box>& boxes);
 
-// A capsule mesh drawn once for each instance.
+// A mesh drawn once for each instance.
 class Solids {
   public:
-    explicit Solids(const CapsuleMesh& mesh);
+    explicit Solids(const CapsuleMesh& mesh) : Solids(mesh.vertices, mesh.triangles) {}
+    explicit Solids(const BoxMesh& mesh) : Solids(mesh.vertices, mesh.triangles) {}
     // Replaces the instances.
     void upload(const std::vector<SolidInstance>& instances);
     void draw() const;
 
   private:
+    Solids(const std::vector<Eigen::Vector4f>& vertices,
+           const std::vector<std::array<std::uint32_t, 3>>& triangles);
+
     VertexArray vertexArray_;
     Buffer vertices_;
     Buffer indices_;

@@ -50,10 +50,10 @@ struct Fabric {
     Quantity boundMaximum;      ///< water that softens the fibre, at most, kg/kg; 0.001 to 1; cotton 0.22
     Quantity wettingTime;       ///< time constant from film to pores, s; 1e-3 to 1e5; cotton 2
     Quantity contactAngle;      ///< of water on the fibre, degrees; 0 to 179; cotton 41 *
-    Quantity entryPressure;     ///< at which pores start to empty, Pa; 1 to 1e5; cotton 1200 *
-    Quantity permeabilityWarp;  ///< saturated, to water along the warp, m2; 1e-16 to 1e-8; cotton 2e-11 *
-    Quantity permeabilityWeft;  ///< the same along the weft *
-    Quantity poreSizeIndex;     ///< Brooks-Corey exponent L of the pore sizes, 1; 0.2 to 10; cotton 1 *
+    Quantity entryPressure;     ///< at which pores start to empty, Pa; 1 to 1e5; cotton 1200
+    Quantity permeabilityWarp;  ///< saturated, to water along the warp, m2; 1e-16 to 1e-8; cotton 2e-11
+    Quantity permeabilityWeft;  ///< the same along the weft
+    Quantity poreSizeIndex;     ///< Brooks-Corey exponent L of the pore sizes, 1; 0.2 to 10; cotton 1
 
     // Mechanics, dry
     Quantity stretchWarp;  ///< tension per width and strain, N/m; 1 to 1e6; cotton 2000

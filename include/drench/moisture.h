@@ -63,6 +63,10 @@ class Moisture {
     /// @throws std::out_of_range, std::invalid_argument
     void cover(std::size_t node, double share);
 
+    /// Says that a node lies on something solid until the next step has passed: no drop can let go there.
+    /// @throws std::out_of_range
+    void layDown(std::size_t node);
+
     /// Lets `dt` seconds pass: water evaporates (or is taken from damp air); film goes into the pores, where the missing share
     /// falls by exp(-dt / wettingTime) as long as the film lasts; pore water wicks and drains, what pores cannot hold goes to
     /// the film; the film runs down and drips. Parts of it that need shorter steps take them, or take one implicit step where
@@ -126,7 +130,8 @@ class Moisture {
     std::vector<double> areas_;         // m2
     std::vector<double> capacities_;    // of the pores, kg
     std::vector<float> openAreas_;      // m2, that are not covered
-    std::vector<std::size_t> covered_;  // nodes that are, in this step
+    std::vector<std::size_t> covered_;  // nodes that are, or lie, in this step
+    std::vector<char> lying_;           // whether a node lies on something, in this step
     std::vector<double> poreMass_;
     std::vector<double> filmMass_;
     double thickestFilm_ = 0;  // on any face after absorption, m

@@ -55,7 +55,8 @@ struct SheetSettings {
 ///
 /// At the start of each of Bullet's substeps the sources bring their water; it dries, soaks in, wicks, runs down and drips
 /// (see `Moisture::step`); then node masses (with the momentum that the water brought), link stiffness in N/m and air forces
-/// are rewritten from it.
+/// are rewritten from it. A face on a solid body (btSoftBody::m_rcontacts) does not dry, and nothing drips from a node that lies
+/// on one.
 ///
 /// What this takes over of the body, and gives back when it ends:
 /// - node masses. Pins (inverse mass 0) stay pins, and may come and go while running;

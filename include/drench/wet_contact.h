@@ -14,7 +14,7 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// A collision object whose surface is wet. Where the sheet touches it (btSoftBody::m_rcontacts), the face between takes up a
-/// film as thick as that on the body, with a time constant of 0.1 s (assumed), and does not dry. Contacts are those of the last
+/// film as thick as that on the body, with a time constant of 0.1 s (assumed). Contacts are those of the last
 /// substep.
 class WetBody final : public Source {
   public:

@@ -90,6 +90,7 @@ WetCloth::Layer::Layer(btSoftRigidDynamicsWorld& aWorld, btSoftBody& sheet, cons
       airForces(shape),
       application(moisture, arrivals, body, watch, 0, 1),
       pose(mesh),
+      contacts(mesh.size()),
       arrivals(shape.nodeAreas.size()),
       masses(shape.nodeAreas.size()),
       saturations(shape.nodeAreas.size()),
@@ -198,6 +199,7 @@ void WetCloth::Layer::substep(btScalar dt) {
 
     pose.gatherHeights(body, surroundings.heights);
     supply(bodyStep * waterSpeed);
+    touchSolids();
     moveWater(bodyStep * waterSpeed);
     collectDrops();
     takeUpMomentum(body, masses, arrivals);
@@ -214,6 +216,27 @@ void WetCloth::Layer::supply(double waterTime) {
     pose.gatherMotion(body);
     const SheetPose sheet = sheetPose();
     for (const Supplier& supplier : suppliers) supplier.source->supply(sheet, waterTime, *supplier.supply);
+}
+
+/// A face on a solid thing does not dry, and nothing drips through it. Bullet's contacts come and go from step to step, so one
+/// counts for a while.
+void WetCloth::Layer::touchSolids() {
+    constexpr double lasting = 0.1;  // s
+    constexpr double fromBelow = 0.5;
+    const btVector3 upwards = toBullet(pose.up);
+    for (int i = 0; i < body.m_rcontacts.size(); ++i) {
+        const btSoftBody::RContact& found = body.m_rcontacts[i];
+        Contact& contact = contacts[static_cast<std::size_t>(indexOf(body, found.m_node))];
+        touchedUntil = contact.touchesUntil = time + lasting;
+        if (double(found.m_cti.m_normal.dot(upwards)) > fromBelow) contact.liesUntil = time + lasting;
+    }
+    if (touchedUntil < time) return;
+    constexpr double oneFace = 0.5;
+    for (std::size_t n = 0; n < contacts.size(); ++n) {
+        if (contacts[n].touchesUntil < time || !(mesh.areas[n] > 0)) continue;
+        moisture.cover(n, oneFace);
+        if (contacts[n].liesUntil >= time) moisture.layDown(n);
+    }
 }
 
 void WetCloth::Layer::moveWater(double waterTime) {

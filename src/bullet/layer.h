@@ -47,6 +47,12 @@ struct WetCloth::Layer final : PreTickListener {
         AccountSupply supply;
     };
 
+    /// When a node last counts as touching something solid, and as lying on it, by `time`.
+    struct Contact {
+        double touchesUntil = -1;
+        double liesUntil = -1;
+    };
+
     std::size_t checkedNode(int node) const;
     std::vector<double> spread(double massPerArea) const;
     Source& add(std::unique_ptr<Source> source);
@@ -60,6 +66,7 @@ struct WetCloth::Layer final : PreTickListener {
     void substep(btScalar dt);
     void checkBeforeStep(btScalar dt) const;
     void supply(double waterTime);
+    void touchSolids();
     void moveWater(double waterTime);
     void collectDrops();
     void evaluateLaws();
@@ -90,6 +97,9 @@ struct WetCloth::Layer final : PreTickListener {
     Surroundings surroundings;
     std::deque<Drop> drops;  // that nobody has taken yet
     double time = 0;         // of the body, since the layer was made, s
+
+    std::vector<Contact> contacts;  // of each node
+    double touchedUntil = -1;       // by which the last of them ends
 
     std::vector<Arrival> arrivals;      // since the last substep
     std::vector<double> masses;         // kg, as last written to the body

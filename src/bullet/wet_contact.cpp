@@ -13,7 +13,6 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 namespace {
 
 constexpr double filmTime = 0.1;  // s, time constant in which films between touching faces even out (assumed)
-constexpr double coveredFaces = 0.5;  // one of the two
 
 bool isNodeOf(const btSoftBody& body, const btSoftBody::Node* node) {
     return body.m_nodes.size() > 0 && node >= &body.m_nodes[0] &&
@@ -31,7 +30,6 @@ void WetBody::supply(const SheetPose& sheet, double dt, Supply& supply) {
         if (contact.m_cti.m_colObj != body_ || !isNodeOf(*sheet_, contact.m_node)) continue;
         const auto node = static_cast<std::size_t>(indexOf(*sheet_, contact.m_node));
         if (!(sheet.mesh.areas[node] > 0)) continue;
-        supply.cover(node, coveredFaces);
         const double missing = waterDensity * sheet.mesh.areas[node] * filmThickness - sheet.filmMass[node];
         const double mass = std::min(std::max(missing, 0.0) * share, amount);
         supply.addFilm(node, mass);

@@ -147,14 +147,16 @@ bool FilmFlow::hasLowerNeighbour(std::size_t node, const std::vector<float>& hei
 }
 
 void FilmFlow::drip(const std::vector<float>& heights, const std::vector<float>& openAreas,
-                    std::vector<double>& filmMass, std::vector<Moisture::Shed>& shed) {
+                    const std::vector<char>& lying, std::vector<double>& filmMass,
+                    std::vector<Moisture::Shed>& shed) {
     double largest = 0;
 #pragma omp simd reduction(max : largest)
     for (std::size_t n = 0; n < filmMass.size(); ++n) largest = std::max(largest, filmMass[n]);
     if (largest < dropMass) return;
     for (std::size_t n = 0; n < filmMass.size(); ++n) {
         const double massPerThickness = 2 * waterDensity * double(areas_[n]);
-        if (filmMass[n] < massPerThickness * retainedFilmThickness + dropMass || !(openAreas[n] > 0))
+        if (filmMass[n] < massPerThickness * retainedFilmThickness + dropMass || lying[n] ||
+            !(openAreas[n] > 0))
             continue;
         const double kept = hasLowerNeighbour(n, heights) ? thickestFilm : retainedFilmThickness;
         const double drops = std::floor((filmMass[n] - massPerThickness * kept) / dropMass);

@@ -24,9 +24,11 @@ class FilmFlow {
 
     /// Lets go the drops that the film cannot hold. A node with no lower neighbour keeps what hangs there until it makes a
     /// drop; any other node lets go what is over the thickest film, once that makes a drop.
-    /// @param covered  share of each node that is covered, where no drop falls
+    /// @param openAreas  of the nodes, m2; none falls from a node that is covered whole
+    /// @param lying      whether a node lies on something; none falls from there either
     void drip(const std::vector<float>& heights, const std::vector<float>& openAreas,
-              std::vector<double>& filmMass, std::vector<Moisture::Shed>& shed);
+              const std::vector<char>& lying, std::vector<double>& filmMass,
+              std::vector<Moisture::Shed>& shed);
 
     /// Memory for all nodes and edges, bytes.
     std::size_t bytes() const;

@@ -64,6 +64,7 @@ Moisture::Moisture(const Fabric& fabric, const ClothMesh& mesh)
       wettingTime_(fabric.wettingTime),
       poreCapacity_(fabric.poreCapacity()),
       areas_(validated(mesh).areas),
+      lying_(mesh.size(), 0),
       poreMass_(mesh.size(), 0.0),
       filmMass_(mesh.size(), 0.0),
       parts_(std::make_unique<Parts>(fabric, mesh)) {
@@ -142,7 +143,14 @@ void Moisture::cover(std::size_t node, double share) {
     covered_.push_back(node);
 }
 
+void Moisture::layDown(std::size_t node) {
+    checkWater(node, 0, 0);
+    lying_[node] = 1;
+    covered_.push_back(node);
+}
+
 void Moisture::uncover() {
+    for (const std::size_t node : covered_) lying_[node] = 0;
     for (const std::size_t node : covered_) openAreas_[node] = static_cast<float>(areas_[node]);
     covered_.clear();
 }
@@ -163,7 +171,7 @@ void Moisture::step(double dt, const Surroundings& surroundings) {
     spillOver();
     if (dt > 0 && gravity > 0) {
         parts_->film.run(dt, heights, gravity, thickestFilm_, filmMass_);
-        parts_->film.drip(heights, openAreas_, filmMass_, shed_);
+        parts_->film.drip(heights, openAreas_, lying_, filmMass_, shed_);
         for (const Shed& shed : shed_) dripped_ += double(shed.drops) * dropMass;
     }
     uncover();
@@ -231,7 +239,8 @@ double Moisture::meanSaturation() const {
 
 std::size_t Moisture::bytesPerNode() const {
     if (size() == 0) return 0;
-    constexpr std::size_t own = 4 * sizeof(double) + sizeof(float);  // areas, capacities, stores; open areas
+    constexpr std::size_t own =
+        4 * sizeof(double) + sizeof(float) + sizeof(char);  // areas, capacities, stores; open areas; lying
     const std::size_t parts = parts_->vapour.bytes() + parts_->wicking.bytes() + parts_->film.bytes();
     return own + parts / size() + sizeof(float);  // and heights
 }

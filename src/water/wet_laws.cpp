@@ -69,8 +69,7 @@ Colour WetLaws::albedo(double saturation) const {
 }
 
 double WetLaws::gloss(double filmThickness) {
-    constexpr double retainedThickness = 18e-6;
-    return std::clamp(filmThickness / retainedThickness, 0.0, 1.0);
+    return std::clamp(filmThickness / retainedFilmThickness, 0.0, 1.0);
 }
 
 }  // namespace drench

@@ -24,7 +24,7 @@ class ImplicitWicking;
 class Wicking {
   public:
     /// Most explicit steps that a call takes before it takes one implicit step instead.
-    static constexpr int mostExplicitSteps = 8;
+    static constexpr int mostExplicitSteps = 400;
 
     Wicking(const Fabric& fabric, const ClothMesh& mesh);
     Wicking(const Fabric& fabric, const ClothMesh& mesh, const std::vector<Edge>& edges);
