@@ -142,10 +142,9 @@ void Clothesline::fallDrops() {
     drops_->step(frameTime);
     for (const FallingDrops::Flight& flight : drops_->inFlight()) {
         if (flight.age > 1.5 * frameTime) continue;  // not a new one
-        const double together = std::max(1.0, std::round(flight.mass / dropMass));
-        lightestDrop_ = std::min(lightestDrop_, flight.mass / together);
-        heaviestDrop_ = std::max(heaviestDrop_, flight.mass / together);
-        dropsFallen_ += std::llround(together);
+        lightestDrop_ = std::min(lightestDrop_, flight.mass);
+        heaviestDrop_ = std::max(heaviestDrop_, flight.mass);
+        dropsFallen_ += flight.count;
     }
     for (const FallingDrops::Landing& landing : drops_->landed())
         spots_.push_back({landing.position.cast<float>(), time_});

@@ -4,6 +4,7 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -15,20 +16,22 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Takes the drops of some sheets, lets them fall freely, and wets the sheet on which they land, with their momentum, in its
-/// account "drops". Optional: an application may as well draw the drops of WetCloth::takeDrops itself, or ignore them.
+/// account "drops". Drops of a sheet whose water runs faster than mechanics fall as often as that, but push only as in
+/// mechanical time. Optional: an application may as well draw the drops of WetCloth::takeDrops itself, or ignore them.
 class FallingDrops {
   public:
-    /// A drop, or several that fall together, in the air.
+    /// Drops that fall together.
     struct Flight {
         Eigen::Vector3d position;  ///< m
         Eigen::Vector3d velocity;  ///< m/s
-        double mass;               ///< of all of it, kg
-        double age;                ///< since it let go, s
+        double mass;               ///< of each drop, kg
+        std::int64_t count;        ///< of drops
+        double age;                ///< since they let go, s
     };
-    /// A drop that landed on something other than a sheet of these.
+    /// Drops that landed together on something other than a sheet of these.
     struct Landing {
         Eigen::Vector3d position;         ///< m
-        double mass;                      ///< kg
+        double mass;                      ///< of all of them, kg
         const btCollisionObject* object;  ///< what it landed on
     };
 
@@ -57,12 +60,14 @@ class FallingDrops {
 
   private:
     struct Sheets;
+    struct Origins;
 
     void takeDrops();
-    bool land(const Flight& flight, const Eigen::Vector3d& to);
+    bool land(std::size_t flight, const Eigen::Vector3d& to);
 
     btSoftRigidDynamicsWorld& world_;
     std::unique_ptr<Sheets> sheets_;
+    std::unique_ptr<Origins> origins_;  // where the flights began, one each
     std::vector<Flight> flights_;
     std::vector<Landing> landed_;
     double massOnSheets_ = 0;

@@ -21,7 +21,7 @@ struct Ledger {
     double dripped = 0;             ///< fallen off in drops
     double evaporated = 0;          ///< gone into the air
     double returned = 0;            ///< given back to sources
-    std::vector<Account> accounts;  ///< of each source, also of those that were removed since
+    std::vector<Account> accounts;  ///< of each source, also of those that were removed since; one a name
 
     /// supplied - held - dripped - evaporated - returned, kg; a few rounding errors of `supplied`.
     double imbalance() const { return supplied - held - dripped - evaporated - returned; }

@@ -16,8 +16,9 @@ namespace drench {
 
 /// What the water of a sheet meets during a step.
 struct Surroundings {
-    std::vector<float> heights;  ///< of each node against gravity, m; empty: level, nothing runs or drips
-    double gravity = 0;          ///< m/s2, at least 0; default weightless
+    std::vector<float>
+        heights;  ///< of each node, upwards, m; only differences count; empty: level, nothing runs or drips
+    double gravity = 0;  ///< m/s2, at least 0; default weightless
     double dryingRate =
         0;  ///< of a sheet wet on both faces, kg/(m2 s); 0, the default: nothing passes to or from the air
     double humidity = 0.65;  ///< of the air, 0 to below 1; matters only with a drying rate
@@ -45,7 +46,7 @@ class Moisture {
     /// Number of nodes. Every `node` below is an index less than that; else std::out_of_range, where a call checks it.
     std::size_t size() const { return areas_.size(); }
 
-    /// Opens an account for a source. @return its number, for the calls below; 0 is the application's own
+    /// Opens an account, or finds the one of that name. @return its number, for the calls below; 0 is "application", 1 "humid air"
     std::size_t openAccount(std::string name);
 
     /// Puts `mass` kg of water, 0 to 1e6, on the faces of a node.

@@ -32,6 +32,8 @@ struct SheetPose {
     double gravity;      ///< m/s2
     double totalArea;    ///< of the cloth at rest, m2
     const Shelter& shelter;
+    const void*
+        body;  ///< address of the btSoftBody that it is, for sources that know Bullet; null without one
 
     /// Area vector of a node: a third of its triangles' as they are now, m2, along their common normal.
     Eigen::Vector3d areaVector(std::size_t node) const;
@@ -65,7 +67,9 @@ class Source {
     virtual ~Source() = default;
     /// Name of its account in the ledger.
     virtual std::string name() const = 0;
-    /// Adds what comes in `dt` seconds of water time (see SheetSettings::waterSpeed).
+    /// Adds what comes in `dt` seconds of water time (see SheetSettings::waterSpeed). `dt` is 0 where water stands still, and
+    /// once when the source is added, on trial: then check the settings and bring nothing. What it throws refuses the source,
+    /// or later comes out of the step. It may add sources to its WetCloth and remove any, itself too.
     virtual void supply(const SheetPose& sheet, double dt, Supply& supply) = 0;
 };
 

@@ -12,7 +12,7 @@ inline constexpr double standardGravity = 9.81;        ///< m/s2 (textbook), whe
 
 /// Film that a face of the cloth keeps and does not let run, m (assumed).
 inline constexpr double retainedFilmThickness = 18e-6;
-/// Film over which a face lets the surplus fall at once, m (assumed).
+/// Film over which a face lets the surplus fall, drop by drop, m (assumed).
 inline constexpr double thickestFilm = 0.3e-3;
 /// A drop that lets go of cloth, kg: Tate's law, 0.62 x 2 pi r gamma / g, gives 30 to 85 mg at r = 1 to 3 mm.
 inline constexpr double dropMass = 50e-6;

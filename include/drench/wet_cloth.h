@@ -102,22 +102,26 @@ class WetCloth {
     Air& air();
     const Air& air() const;
 
-    /// Adds a source of water: one of those in sources.h and wet_contact.h, or your own. It works from the next substep on.
+    /// Adds a source of water: one of those in sources.h and wet_contact.h, or your own. It works from the next substep on, in the
+    /// account of its name; sources of the same name share it.
     /// @return the source where it is now, until it is removed; its settings may be changed there
+    /// @throws what the source throws when its settings are off; it is then not added
     template <typename SourceType>
     SourceType& add(SourceType source) {
-        auto owned = std::make_unique<SourceType>(std::move(source));
-        SourceType& reference = *owned;
-        add(std::unique_ptr<Source>(std::move(owned)));
-        return reference;
+        return add(std::make_unique<SourceType>(std::move(source)));
     }
     /// The same for a source on the heap. @throws std::invalid_argument for none
-    Source& add(std::unique_ptr<Source> source);
+    template <typename SourceType>
+    SourceType& add(std::unique_ptr<SourceType> source) {
+        SourceType* const stays = source.get();
+        addSource(std::move(source));
+        return *stays;
+    }
     /// Removes and destroys a source; its account stays. @throws std::invalid_argument for one that is not here
     void remove(const Source& source);
 
-    /// Brings water and takes it back at any time, in an account of that name; the same name gives the same account. Lives as
-    /// long as the WetCloth.
+    /// Brings water and takes it back at any time, in the account of that name, in the body's own time. Lives as long as the
+    /// WetCloth.
     Supply& account(const std::string& name);
 
     /// Hands over the drops that fell since the last call, oldest first. At most the last 100,000 are kept.
@@ -132,7 +136,8 @@ class WetCloth {
     /// Puts water on the faces of one node that moves with the node. Otherwise as above.
     void addWater(int node, double mass);
 
-    /// Puts the same water on every part of the cloth; it moves with the cloth.
+    /// Puts the same water on every part of the cloth at once; it moves with the cloth. The source `Soak` is for chosen places,
+    /// and takes its time.
     /// @param massPerArea  kg per m2 of cloth, 0 to 1000
     /// @throws std::invalid_argument for a value out of range.
     void soak(double massPerArea);
@@ -173,13 +178,15 @@ class WetCloth {
     /// world or no longer exists.
     /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive and finite, air
     ///     or a source's setting out of range, and whatever a source of your own throws; std::runtime_error if a position or
-    ///     velocity of the body, its timescale, the wind or the gravity is not finite, or if its nodes, links or faces have
-    ///     changed in number. The body is then as before the call; of the sources, those before the one that threw have given.
+    ///     velocity of the body, its timescale, the wind or the gravity is not finite, the gravity is over 1e4 m/s2, or if its
+    ///     nodes, links or faces have changed in number. The body is then as before the call; of the sources, those before the one that threw have given.
     void preSubstep(btScalar dt);
 
   private:
     friend class FallingDrops;
     friend class Touch;
+    void addSource(std::unique_ptr<Source> source);
+
     struct Layer;
     std::shared_ptr<Layer> layer_;  // shared with none but those who watch whether it still is
 };

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "drench/precision.h"
 #include "drench/source.h"
@@ -14,7 +15,7 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// A collision object whose surface is wet. Where the sheet touches it (btSoftBody::m_rcontacts), the face between takes up a
-/// film as thick as that on the body, with a time constant of 0.1 s (assumed). Contacts are those of the last
+/// film of its own as thick as that on the body, with a time constant of 0.1 s (assumed). Contacts are those of the last
 /// substep.
 class WetBody final : public Source {
   public:
@@ -22,34 +23,39 @@ class WetBody final : public Source {
     double amount =
         std::numeric_limits<double>::infinity();  ///< what is left of it, kg, at least 0; default never ends
 
-    /// @param sheet  that this source is added to
-    /// @param body   that is wet; only its address is used, and it may be gone
-    WetBody(const btSoftBody& sheet, const btCollisionObject& body) : sheet_(&sheet), body_(&body) {}
+    /// @param body  that is wet; only its address is used, and it may be gone
+    explicit WetBody(const btCollisionObject& body) : body_(&body) {}
     std::string name() const override { return "wet body"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
 
   private:
-    const btSoftBody* sheet_;
     const btCollisionObject* body_;
 };
 
 /// Two sheets that touch, by Bullet's own contacts between soft bodies (btSoftBody::m_scontacts: both need fCollision::VF_SS
 /// among their m_cfg.collisions). Water passes between a node and the face that it touches until pores are equally
-/// full, with the slower of the two wetting times, and the films of the faces between equally thick, with 0.1 s (both assumed).
-/// Add it to one of the two.
+/// full, with the slower of the two wetting times, and the films equally thick, with 0.1 s (both assumed). Faces
+/// that touch do not dry. Add it to one of the two.
 class Touch final : public Source {
   public:
-    /// @param sheet  that this source is added to
-    /// @param other  sheet; when it is gone, nothing passes any more
-    Touch(const btSoftBody& sheet, WetCloth& other);
+    /// @param other  sheet, in the same world; when it is gone, nothing passes any more
+    explicit Touch(WetCloth& other);
     std::string name() const override { return "touch"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
 
   private:
     struct Exchange;
+    /// A node here and one there that touch.
+    struct Pair {
+        std::size_t here, there;
+        double weight;
+    };
 
-    const btSoftBody* sheet_;
+    void findPairs(const btSoftBody& here, const btSoftBody& there);
+
     std::weak_ptr<WetCloth::Layer> other_;
+    std::vector<Pair> pairs_;                         // of this step
+    std::vector<double> weightsHere_, weightsThere_;  // of each node, summed over its pairs
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

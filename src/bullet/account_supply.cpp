@@ -9,9 +9,10 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 void AccountSupply::addFilm(std::size_t node, double mass, const Eigen::Vector3d& velocity) {
-    if (!velocity.allFinite())
+    constexpr double fastest = 1e6;  // m/s, whose momentum a float can hold
+    if (!(velocity.cwiseAbs().maxCoeff() <= fastest) || !velocity.allFinite())
         throw std::invalid_argument("drench: water for node " + std::to_string(node) +
-                                    " arrives with a velocity that is not finite; give m/s");
+                                    " arrives with a velocity that is not finite or over 1e6; give m/s");
     moisture_.addFilm(node, mass, account_);
     Arrival& arrival = arrivals_[node];
     arrival.carried += mass * (1 - momentumShare_);

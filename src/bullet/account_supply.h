@@ -46,5 +46,16 @@ class AccountSupply final : public Supply {
     double momentumShare_;
 };
 
+/// Takes nothing and gives nothing.
+class NoSupply final : public Supply {
+  public:
+    void addFilm(std::size_t, double, const Eigen::Vector3d&) override {}
+    void addFilm(std::size_t, double) override {}
+    void addPores(std::size_t, double) override {}
+    double takeFilm(std::size_t, double) override { return 0; }
+    double takePores(std::size_t, double) override { return 0; }
+    void cover(std::size_t, double) override {}
+};
+
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

@@ -17,28 +17,32 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 namespace {
 
 constexpr double longestFall = 20;  // s
-// A drop starts on the cloth that it leaves and must not land there at once.
-constexpr double clearAfter = 0.02;  // m of fall
+// A drop starts on the cloth that it leaves, and must not land there at once.
+constexpr double clearance = 0.02;  // m
 
 /// Where a way through the air meets a sheet.
 struct Hit {
     double fraction;  // of the way
     int face;
-    Eigen::Vector3d weights;  // of the face's corners
+    Eigen::Vector3d weights;  // of the face's corners, at least 0, 1 together
 };
 
-/// Moeller & Trumbore (1997), from both sides.
-std::optional<Hit> meet(const btSoftBody::Face& face, const Eigen::Vector3d& from,
+/// Moeller & Trumbore (1997), from both sides; a side that two faces share belongs to both.
+std::optional<Hit> meet(const btSoftBody& body, int f, const Eigen::Vector3d& from,
                         const Eigen::Vector3d& way) {
+    const btSoftBody::Face& face = body.m_faces[f];
     const Eigen::Vector3d origin = toEigen(face.m_n[0]->m_x);
     const Eigen::Vector3d one = toEigen(face.m_n[1]->m_x) - origin, two = toEigen(face.m_n[2]->m_x) - origin;
     const Eigen::Vector3d across = way.cross(two);
     const double volume = one.dot(across);
-    if (std::abs(volume) < 1e-15 * way.norm() * one.norm() * two.norm()) return std::nullopt;
+    if (!(std::abs(volume) > 1e-15 * way.norm() * one.norm() * two.norm())) return std::nullopt;
     const Eigen::Vector3d offset = from - origin, turned = offset.cross(one);
     const double u = offset.dot(across) / volume, v = way.dot(turned) / volume, t = two.dot(turned) / volume;
-    if (u < 0 || v < 0 || u + v > 1 || t < 0 || t > 1) return std::nullopt;
-    return Hit{t, 0, {1 - u - v, u, v}};
+    constexpr double rounding = 1e-9;
+    if (u < -rounding || v < -rounding || u + v > 1 + rounding || t < 0 || t > 1) return std::nullopt;
+    Eigen::Vector3d weights = Eigen::Vector3d(1 - u - v, u, v).cwiseMax(0.0);
+    weights /= weights.sum();
+    return Hit{t, f, weights};
 }
 
 std::optional<Hit> meet(const btSoftBody& body, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
@@ -50,10 +54,8 @@ std::optional<Hit> meet(const btSoftBody& body, const Eigen::Vector3d& from, con
     if (!box.intersects(path)) return std::nullopt;
     std::optional<Hit> first;
     for (int f = 0; f < body.m_faces.size(); ++f) {
-        const auto hit = meet(body.m_faces[f], from, to - from);
-        if (!hit || (first && hit->fraction >= first->fraction)) continue;
-        first = hit;
-        first->face = f;
+        const auto hit = meet(body, f, from, to - from);
+        if (hit && (!first || hit->fraction < first->fraction)) first = hit;
     }
     return first;
 }
@@ -64,8 +66,18 @@ struct FallingDrops::Sheets {
     std::vector<std::weak_ptr<WetCloth::Layer>> all;
 };
 
+struct FallingDrops::Origins {
+    /// Where a flight began.
+    struct Origin {
+        Eigen::Vector3d position;
+        const void* sheet;     // its layer, to be compared only
+        double momentumShare;  // that lands with it; see WetCloth::Layer::add
+    };
+    std::vector<Origin> all;
+};
+
 FallingDrops::FallingDrops(btSoftRigidDynamicsWorld& world)
-    : world_(world), sheets_(std::make_unique<Sheets>()) {}
+    : world_(world), sheets_(std::make_unique<Sheets>()), origins_(std::make_unique<Origins>()) {}
 
 FallingDrops::~FallingDrops() = default;
 
@@ -74,11 +86,16 @@ void FallingDrops::add(WetCloth& cloth) {
 }
 
 void FallingDrops::takeDrops() {
-    for (const auto& sheet : sheets_->all) {
+    auto& sheets = sheets_->all;
+    sheets.erase(
+        std::remove_if(sheets.begin(), sheets.end(), [](const auto& sheet) { return sheet.expired(); }),
+        sheets.end());
+    for (const auto& sheet : sheets) {
         const auto layer = sheet.lock();
-        if (!layer) continue;
-        for (const Drop& drop : layer->drops)
-            flights_.push_back({drop.position, drop.velocity, drop.mass * double(drop.count), 0});
+        for (const Drop& drop : layer->drops) {
+            flights_.push_back({drop.position, drop.velocity, drop.mass, drop.count, 0});
+            origins_->all.push_back({drop.position, layer.get(), std::min(1.0, 1 / layer->waterSpeed)});
+        }
         layer->drops.clear();
     }
 }
@@ -90,20 +107,29 @@ void FallingDrops::step(double dt) {
     takeDrops();
     landed_.clear();
     const Eigen::Vector3d gravity = toEigen(world_.getWorldInfo().m_gravity);
-    const auto done = [&](Flight& flight) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < flights_.size(); ++i) {
+        Flight flight = flights_[i];
         const Eigen::Vector3d to = flight.position + flight.velocity * dt + 0.5 * gravity * dt * dt;
-        if (land(flight, to)) return true;
+        if (land(i, to)) continue;
         flight.position = to;
         flight.velocity += gravity * dt;
         flight.age += dt;
-        if (flight.age < longestFall) return false;
-        massLost_ += flight.mass;
-        return true;
-    };
-    flights_.erase(std::remove_if(flights_.begin(), flights_.end(), done), flights_.end());
+        if (flight.age >= longestFall) {
+            massLost_ += flight.mass * double(flight.count);
+            continue;
+        }
+        flights_[kept] = flight;
+        origins_->all[kept++] = origins_->all[i];
+    }
+    flights_.resize(kept);
+    origins_->all.resize(kept);
 }
 
-bool FallingDrops::land(const Flight& flight, const Eigen::Vector3d& to) {
+/// Lands a flight if it meets something on its way. @return whether it does
+bool FallingDrops::land(std::size_t i, const Eigen::Vector3d& to) {
+    const Flight& flight = flights_[i];
+    const Origins::Origin& origin = origins_->all[i];
     const Eigen::Vector3d from = flight.position;
     SolidRay ray(toBullet(from), toBullet(to));
     world_.rayTest(ray.m_rayFromWorld, ray.m_rayToWorld, ray);
@@ -115,26 +141,29 @@ bool FallingDrops::land(const Flight& flight, const Eigen::Vector3d& to) {
     for (const auto& sheet : sheets_->all) {
         const auto layer = sheet.lock();
         if (!layer || !layer->isInWorld()) continue;
-        // Fallen less than that, it still touches the cloth that it left.
-        if (flight.velocity.norm() * flight.age < 2 * clearAfter) continue;
+        if (layer.get() == origin.sheet && (from - origin.position).norm() < clearance) continue;
         const auto hit = meet(layer->body, from, to);
         if (!hit || hit->fraction >= nearest) continue;
         nearest = hit->fraction;
         wetted = layer;
         place = *hit;
     }
+    const double mass = flight.mass * double(flight.count);
     if (wetted) {
-        const btSoftBody::Face& face = wetted->body.m_faces[place.face];
         Supply& drops = wetted->account("drops");
-        for (int corner = 0; corner < 3; ++corner)
-            drops.addFilm(static_cast<std::size_t>(indexOf(wetted->body, face.m_n[corner])),
-                          flight.mass * place.weights[corner], flight.velocity);
-        massOnSheets_ += flight.mass;
+        for (int corner = 0; corner < 3; ++corner) {
+            const auto node =
+                static_cast<std::size_t>(indexOf(wetted->body, wetted->body.m_faces[place.face].m_n[corner]));
+            const double here = mass * place.weights[corner];
+            drops.addFilm(node, here * origin.momentumShare, flight.velocity);
+            drops.addFilm(node, here * (1 - origin.momentumShare));
+        }
+        massOnSheets_ += mass;
         return true;
     }
     if (!ray.hasHit()) return false;
-    landed_.push_back({from + nearest * (to - from), flight.mass, ray.m_collisionObject});
-    massElsewhere_ += flight.mass;
+    landed_.push_back({from + nearest * (to - from), mass, ray.m_collisionObject});
+    massElsewhere_ += mass;
     return true;
 }
 

@@ -146,33 +146,41 @@ SheetPose WetCloth::Layer::sheetPose() const {
             pose.up,
             pose.gravity,
             totalArea,
-            shelter};
+            shelter,
+            &body};
 }
 
-Source& WetCloth::Layer::add(std::unique_ptr<Source> source) {
+void WetCloth::Layer::add(std::unique_ptr<Source> source) {
     if (!source) throw std::invalid_argument("drench: there is no source to add; give one");
-    const double momentumShare = waterSpeed > 0 ? 1 / waterSpeed : 1;
     if (watch.bodyIsAlive()) {
-        // A source checks its settings at every step; at one of no length it does nothing else. The trial's account goes
-        // with it, so that a source that is refused leaves nothing behind.
+        // A source checks its settings at every step; at one of no length it does nothing else.
         pose.gatherHeights(body, surroundings.heights);
         pose.gatherMotion(body);
-        AccountSupply trial(moisture, arrivals, body, watch, 0, momentumShare);
+        NoSupply trial;
         source->supply(sheetPose(), 0, trial);
     }
     const std::size_t number = moisture.openAccount(source->name());
+    // A body is hit by the water of its own time only, however much more the sheet takes up meanwhile.
+    const double momentumShare = std::min(1.0, 1 / waterSpeed);
     auto supply = std::make_unique<AccountSupply>(moisture, arrivals, body, watch, number, momentumShare);
     suppliers.push_back({std::move(source), std::move(supply)});
-    return *suppliers.back().source;
 }
 
 void WetCloth::Layer::remove(const Source& source) {
-    const auto found = std::find_if(suppliers.begin(), suppliers.end(), [&](const Supplier& supplier) {
-        return supplier.source.get() == &source;
-    });
-    if (found == suppliers.end())
-        throw std::invalid_argument("drench: the source to remove is not one of this WetCloth's");
-    suppliers.erase(found);
+    for (Supplier& supplier : suppliers) {
+        if (supplier.source.get() != &source) continue;
+        removed.push_back(std::move(supplier));
+        if (!supplying) forgetRemoved();
+        return;
+    }
+    throw std::invalid_argument("drench: the source to remove is not one of this WetCloth's");
+}
+
+void WetCloth::Layer::forgetRemoved() {
+    suppliers.erase(std::remove_if(suppliers.begin(), suppliers.end(),
+                                   [](const Supplier& supplier) { return !supplier.source; }),
+                    suppliers.end());
+    removed.clear();
 }
 
 Supply& WetCloth::Layer::account(const std::string& name) {
@@ -215,7 +223,20 @@ void WetCloth::Layer::supply(double waterTime) {
     if (suppliers.empty()) return;
     pose.gatherMotion(body);
     const SheetPose sheet = sheetPose();
-    for (const Supplier& supplier : suppliers) supplier.source->supply(sheet, waterTime, *supplier.supply);
+    // A source may remove itself or others, and add some, whose turn comes in the next step.
+    struct Supplying {
+        explicit Supplying(Layer& itsLayer) : layer(itsLayer) { layer.supplying = true; }
+        ~Supplying() {
+            layer.supplying = false;
+            layer.forgetRemoved();
+        }
+        Layer& layer;
+    } during(*this);
+    const std::size_t count = suppliers.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Source* const source = suppliers[i].source.get();
+        if (source) source->supply(sheet, waterTime, *suppliers[i].supply);
+    }
 }
 
 /// A face on a solid thing does not dry, and nothing drips through it. Bullet's contacts come and go from step to step, so one
@@ -275,6 +296,11 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) const {
     if (!std::isfinite(gravity.length2()))
         throw std::runtime_error(
             "drench: the gravity of the body's world info is not finite; mend getWorldInfo()->m_gravity");
+    constexpr double strongest = 1e4;  // m/s2
+    if (double(gravity.length()) > strongest)
+        throw std::runtime_error("drench: the gravity of the body's world info is " +
+                                 std::to_string(gravity.length()) +
+                                 " m/s2; give at most 10000 in getWorldInfo()->m_gravity");
     if (body.m_nodes.size() != static_cast<int>(masses.size()) ||
         body.m_links.size() != static_cast<int>(stiffness.size()) ||
         body.m_faces.size() != static_cast<int>(shape.triangles.size()))

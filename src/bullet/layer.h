@@ -36,7 +36,7 @@ struct WetCloth::Layer final : PreTickListener {
     Layer(const Layer&) = delete;
     Layer& operator=(const Layer&) = delete;
 
-    /// A source and the account that it works in.
+    /// A source and the account that it works in; none once it was removed within the step.
     struct Supplier {
         std::unique_ptr<Source> source;
         std::unique_ptr<AccountSupply> supply;
@@ -55,8 +55,9 @@ struct WetCloth::Layer final : PreTickListener {
 
     std::size_t checkedNode(int node) const;
     std::vector<double> spread(double massPerArea) const;
-    Source& add(std::unique_ptr<Source> source);
+    void add(std::unique_ptr<Source> source);
     void remove(const Source& source);
+    void forgetRemoved();
     Supply& account(const std::string& name);
     SheetPose sheetPose() const;
     /// Whether the body exists and is in the world.
@@ -92,6 +93,8 @@ struct WetCloth::Layer final : PreTickListener {
 
     AccountSupply application;  // for water that the application adds itself
     std::vector<Supplier> suppliers;
+    std::vector<Supplier> removed;      // within the step, whose end they live to see
+    bool supplying = false;             // within the step, while sources bring their water
     std::deque<NamedAccount> accounts;  // stay where they are
     Pose pose;
     Surroundings surroundings;

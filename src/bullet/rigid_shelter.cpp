@@ -1,9 +1,16 @@
 #include "rigid_shelter.h"
 
+#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
+
 #include "vectors.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
+
+SolidRay::SolidRay(const btVector3& from, const btVector3& to) : ClosestRayResultCallback(from, to) {
+    // Bullet's default ray misses a convex body that is less than a centimetre away.
+    m_flags |= btTriangleRaycastCallback::kF_UseGjkConvexCastRaytest;
+}
 
 bool SolidRay::needsCollision(btBroadphaseProxy* proxy) const {
     const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);

@@ -21,7 +21,7 @@ class RigidShelter final : public Shelter {
 
 /// What a ray to solid things hits first; soft bodies and triggers let it pass.
 struct SolidRay final : btCollisionWorld::ClosestRayResultCallback {
-    using ClosestRayResultCallback::ClosestRayResultCallback;
+    SolidRay(const btVector3& from, const btVector3& to);
     bool needsCollision(btBroadphaseProxy* proxy) const override;
 };
 

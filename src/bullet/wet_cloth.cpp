@@ -26,8 +26,8 @@ const Air& WetCloth::air() const {
     return layer_->air;
 }
 
-Source& WetCloth::add(std::unique_ptr<Source> source) {
-    return layer_->add(std::move(source));
+void WetCloth::addSource(std::unique_ptr<Source> source) {
+    layer_->add(std::move(source));
 }
 
 void WetCloth::remove(const Source& source) {
@@ -65,7 +65,7 @@ void WetCloth::presoak(double massPerArea) {
 }
 
 double WetCloth::waterMass() const {
-    return layer_->moisture.ledger().held;
+    return layer_->moisture.totalPoreMass() + layer_->moisture.totalFilmMass();
 }
 
 double WetCloth::dryMass() const {

@@ -19,27 +19,36 @@ bool isNodeOf(const btSoftBody& body, const btSoftBody::Node* node) {
            node < &body.m_nodes[0] + body.m_nodes.size();
 }
 
+/// By its address alone: the body that a face was of may be gone.
+bool isFaceOf(const btSoftBody& body, const btSoftBody::Face* face) {
+    return body.m_faces.size() > 0 && face >= &body.m_faces[0] &&
+           face < &body.m_faces[0] + body.m_faces.size();
+}
+
 }  // namespace
 
 void WetBody::supply(const SheetPose& sheet, double dt, Supply& supply) {
     checkRange("WetBody::filmThickness", filmThickness, "m", 0, 0.01);
     if (!(amount >= 0)) checkRange("WetBody::amount", amount, "kg", 0, 1e6);
+    if (!sheet.body) return;
+    const auto& body = *static_cast<const btSoftBody*>(sheet.body);
     const double share = -std::expm1(-dt / filmTime);
-    for (int i = 0; i < sheet_->m_rcontacts.size(); ++i) {
-        const btSoftBody::RContact& contact = sheet_->m_rcontacts[i];
-        if (contact.m_cti.m_colObj != body_ || !isNodeOf(*sheet_, contact.m_node)) continue;
-        const auto node = static_cast<std::size_t>(indexOf(*sheet_, contact.m_node));
+    for (int i = 0; i < body.m_rcontacts.size(); ++i) {
+        const btSoftBody::RContact& contact = body.m_rcontacts[i];
+        if (contact.m_cti.m_colObj != body_ || !isNodeOf(body, contact.m_node)) continue;
+        const auto node = static_cast<std::size_t>(indexOf(body, contact.m_node));
         if (!(sheet.mesh.areas[node] > 0)) continue;
-        const double missing = waterDensity * sheet.mesh.areas[node] * filmThickness - sheet.filmMass[node];
+        const double ofOneFace = sheet.filmMass[node] / 2;
+        const double missing = waterDensity * sheet.mesh.areas[node] * filmThickness - ofOneFace;
         const double mass = std::min(std::max(missing, 0.0) * share, amount);
         supply.addFilm(node, mass);
         amount -= mass;
     }
 }
 
-Touch::Touch(const btSoftBody& sheet, WetCloth& other) : sheet_(&sheet), other_(other.layer_) {}
+Touch::Touch(WetCloth& other) : other_(other.layer_) {}
 
-/// What passes between one node here and one node there.
+/// What passes between the nodes here and there.
 struct Touch::Exchange {
     const SheetPose& here;
     WetCloth::Layer& there;
@@ -48,15 +57,13 @@ struct Touch::Exchange {
     double poreShare;  // of what would even them out, in this step
     double filmShare;
 
-    void pass(std::size_t node, std::size_t other, double weight) {
-        const double areaHere = here.mesh.areas[node], areaThere = there.mesh.areas[other];
-        if (!(areaHere > 0) || !(areaThere > 0) || !(weight > 0)) return;
+    void pass(const Pair& pair, double weight) {
+        const double areaHere = here.mesh.areas[pair.here], areaThere = there.mesh.areas[pair.there];
         const Moisture& water = there.moisture;
-        passPores(node, other,
-                  weight * evenOut(here.poreMass[node], here.poreCapacity * areaHere, water.poreMass()[other],
-                                   water.poreCapacity(other)));
-        passFilm(node, other,
-                 weight * evenOut(here.filmMass[node], areaHere, water.filmMass()[other], areaThere));
+        passPores(pair, weight * evenOut(here.poreMass[pair.here], here.poreCapacity * areaHere,
+                                         water.poreMass()[pair.there], water.poreCapacity(pair.there)));
+        passFilm(pair, weight * evenOut(here.filmMass[pair.here], areaHere, water.filmMass()[pair.there],
+                                        areaThere));
     }
 
     /// What has to pass from one store to another until both are equally full.
@@ -64,48 +71,71 @@ struct Touch::Exchange {
         return (mass * otherRoom - otherMass * room) / (room + otherRoom);
     }
 
-    void passPores(std::size_t node, std::size_t other, double surplus) {
+    void passPores(const Pair& pair, double surplus) {
         const double mass = std::abs(surplus) * poreShare;
         if (surplus > 0)
-            supplyThere.addPores(other, supplyHere.takePores(node, mass));
+            supplyThere.addPores(pair.there, supplyHere.takePores(pair.here, mass));
         else
-            supplyHere.addPores(node, supplyThere.takePores(other, mass));
+            supplyHere.addPores(pair.here, supplyThere.takePores(pair.there, mass));
     }
 
-    void passFilm(std::size_t node, std::size_t other, double surplus) {
+    void passFilm(const Pair& pair, double surplus) {
         const double mass = std::abs(surplus) * filmShare;
         if (surplus > 0)
-            supplyThere.addFilm(other, supplyHere.takeFilm(node, mass));
+            supplyThere.addFilm(pair.there, supplyHere.takeFilm(pair.here, mass));
         else
-            supplyHere.addFilm(node, supplyThere.takeFilm(other, mass));
+            supplyHere.addFilm(pair.here, supplyThere.takeFilm(pair.there, mass));
     }
 };
 
-void Touch::supply(const SheetPose& sheet, double dt, Supply& supply) {
-    const std::shared_ptr<WetCloth::Layer> other = other_.lock();
-    if (!other || !other->watch.bodyIsAlive()) return;
-    Exchange exchange{sheet,
-                      *other,
-                      supply,
-                      other->account(name()),
-                      -std::expm1(-dt / std::max(sheet.wettingTime, other->moisture.wettingTime())),
-                      -std::expm1(-dt / filmTime)};
-    // A contact joins a node of one to a face of the other; each body keeps those of its own nodes.
-    for (const btSoftBody* body : {sheet_, static_cast<const btSoftBody*>(&other->body)}) {
-        const btSoftBody& faces = body == sheet_ ? other->body : *sheet_;
-        for (int i = 0; i < body->m_scontacts.size(); ++i) {
-            const btSoftBody::SContact& contact = body->m_scontacts[i];
-            if (!isNodeOf(*body, contact.m_node) || !isNodeOf(faces, contact.m_face->m_n[0])) continue;
-            const auto node = static_cast<std::size_t>(indexOf(*body, contact.m_node));
+/// A contact joins a node of one body to a face of the other; each body keeps those of its own nodes.
+void Touch::findPairs(const btSoftBody& here, const btSoftBody& there) {
+    pairs_.clear();
+    for (const btSoftBody* nodes : {&here, &there}) {
+        const btSoftBody& faces = nodes == &here ? there : here;
+        for (int i = 0; i < nodes->m_scontacts.size(); ++i) {
+            const btSoftBody::SContact& contact = nodes->m_scontacts[i];
+            if (!isNodeOf(*nodes, contact.m_node) || !isFaceOf(faces, contact.m_face)) continue;
+            const auto node = static_cast<std::size_t>(indexOf(*nodes, contact.m_node));
             for (int corner = 0; corner < 3; ++corner) {
                 const auto at = static_cast<std::size_t>(indexOf(faces, contact.m_face->m_n[corner]));
                 const double weight = std::clamp(double(contact.m_weights[corner]), 0.0, 1.0);
-                if (body == sheet_)
-                    exchange.pass(node, at, weight);
-                else
-                    exchange.pass(at, node, weight);
+                pairs_.push_back(nodes == &here ? Pair{node, at, weight} : Pair{at, node, weight});
             }
         }
+    }
+}
+
+void Touch::supply(const SheetPose& sheet, double dt, Supply& supply) {
+    const std::shared_ptr<WetCloth::Layer> other = other_.lock();
+    if (!sheet.body || !other || !other->watch.bodyIsAlive() || !other->body.getBroadphaseHandle()) return;
+    findPairs(*static_cast<const btSoftBody*>(sheet.body), other->body);
+    weightsHere_.assign(sheet.mesh.size(), 0.0);
+    weightsThere_.assign(other->mesh.size(), 0.0);
+    const auto usable = [&](const Pair& pair) {
+        return pair.weight > 0 && sheet.mesh.areas[pair.here] > 0 && other->mesh.areas[pair.there] > 0;
+    };
+    for (const Pair& pair : pairs_) {
+        if (!usable(pair)) continue;
+        weightsHere_[pair.here] += pair.weight;
+        weightsThere_[pair.there] += pair.weight;
+    }
+    Supply& otherSupply = other->account(name());
+    Exchange exchange{sheet,
+                      *other,
+                      supply,
+                      otherSupply,
+                      -std::expm1(-dt / std::max(sheet.wettingTime, other->moisture.wettingTime())),
+                      -std::expm1(-dt / filmTime)};
+    constexpr double oneFace = 0.5;
+    for (const Pair& pair : pairs_) {
+        if (!usable(pair)) continue;
+        // A node with many contacts has its whole face there once.
+        const double here = std::max(weightsHere_[pair.here], 1.0),
+                     there = std::max(weightsThere_[pair.there], 1.0);
+        exchange.pass(pair, pair.weight / std::max(here, there));
+        supply.cover(pair.here, oneFace * pair.weight / here);
+        otherSupply.cover(pair.there, oneFace * pair.weight / there);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "checks.h"
 #include "drench/water.h"
 
 namespace drench {
@@ -20,15 +21,6 @@ constexpr double lewisNumber = 0.85;               // 1 (textbook), of water vap
 constexpr double vapourGasConstant = 461.5;        // J/(kg K) (textbook)
 constexpr double radiationCoefficient = 5.5;       // W/(m2 K) (textbook, near 20 C)
 constexpr double turbulentReynoldsNumber = 5e5;    // 1 (textbook), of a flat plate
-
-void checkRange(const std::string& name, double value, double minimum, double maximum,
-                const std::string& unit) {
-    if (std::isfinite(value) && value >= minimum && value <= maximum) return;
-    std::ostringstream message;
-    message << "drench: " << name << " is " << value << unit << "; give a value from " << minimum << " to "
-            << maximum;
-    throw std::invalid_argument(message.str());
-}
 
 // Density of saturated vapour over liquid water, kg/m3. The pressure is the Magnus formula with the constants
 // of Sonntag (1990).
@@ -120,9 +112,9 @@ double multilayerConstantOf(const Fabric& fabric, double c) {
 }  // namespace
 
 void validate(const Air& air) {
-    checkRange("air temperature", air.temperature, 0, 60, " degrees Celsius");
-    checkRange("air humidity", air.humidity, 0, 1, "");
-    checkRange("vapourExchange of the air", air.vapourExchange, 0, 1, "");
+    checkRange("air temperature", air.temperature, "degrees Celsius", 0, 60);
+    checkRange("air humidity", air.humidity, "", 0, 1);
+    checkRange("vapourExchange of the air", air.vapourExchange, "", 0, 1);
     if (air.wind.allFinite()) return;
     std::ostringstream message;
     message << "drench: air wind is (" << air.wind.x() << ", " << air.wind.y() << ", " << air.wind.z()
@@ -132,8 +124,8 @@ void validate(const Air& air) {
 
 Evaporation evaporation(const Air& air, double speed, double length) {
     validate(air);
-    checkRange("air speed along the sheet", speed, 0, 100, " m/s");
-    checkRange("length of the sheet along the air", length, 1e-3, 100, " m");
+    checkRange("air speed along the sheet", speed, "m/s", 0, 100);
+    checkRange("length of the sheet along the air", length, "m", 1e-3, 100);
 
     const double lewisFactor = 1 / std::cbrt(lewisNumber * lewisNumber);
     const WetFace face = {air, length, forcedHeatTransfer(speed, length),

@@ -31,23 +31,28 @@ EdgeRuns::EdgeRuns(const std::vector<Edge>& edges) {
     std::stable_sort(runs_.begin(), runs_.end(), [](const Run& x, const Run& y) { return x.a < y.a; });
     std::stable_sort(loose.begin(), loose.end(), [](const Edge& x, const Edge& y) { return x.a < y.a; });
 
+    const auto keep = [this](const Edge& edge) {
+        conductance_.push_back(static_cast<float>(edge.conductance));
+        steepest_.push_back(static_cast<float>(allowedStretch * edge.length));
+    };
     for (const Run& run : runs_)
-        for (std::size_t k = 0; k < run.count; ++k)
-            conductance_.push_back(static_cast<float>(edges[run.first + k].conductance));
+        for (std::size_t k = 0; k < run.count; ++k) keep(edges[run.first + k]);
     for (const Edge& edge : loose) {
         loose_.push_back({edge.a, edge.b});
-        conductance_.push_back(static_cast<float>(edge.conductance));
+        keep(edge);
     }
 }
 
 std::vector<Edge> EdgeRuns::edges() const {
     std::vector<Edge> edges;
-    auto conductance = conductance_.begin();
+    const auto add = [&](std::size_t a, std::size_t b) {
+        const std::size_t i = edges.size();
+        edges.push_back({static_cast<int>(a), static_cast<int>(b), double(conductance_[i]),
+                         double(steepest_[i]) / allowedStretch});
+    };
     for (const Run& run : runs_)
-        for (std::size_t k = 0; k < run.count; ++k)
-            edges.push_back(
-                {static_cast<int>(run.a + k), static_cast<int>(run.b + k), double(*conductance++), 0});
-    for (const Ends& ends : loose_) edges.push_back({ends.a, ends.b, double(*conductance++), 0});
+        for (std::size_t k = 0; k < run.count; ++k) add(run.a + k, run.b + k);
+    for (const Ends& ends : loose_) add(static_cast<std::size_t>(ends.a), static_cast<std::size_t>(ends.b));
     return edges;
 }
 

@@ -10,7 +10,6 @@ namespace drench {
 
 namespace {
 
-constexpr double allowedStretch = 1.25;  // of an edge, beyond its rest length
 constexpr int mostSteps = 8;
 // Share of a film that may leave its node in a step, roughly; small enough for the shape of the film.
 constexpr double courantNumber = 0.5;
@@ -43,7 +42,7 @@ FilmFlow::FilmFlow(const ClothMesh& mesh, const std::vector<Edge>& edges)
     for (const Edge& edge : edges)
         for (const int node : {edge.a, edge.b}) {
             steepestOutflow_[static_cast<std::size_t>(node)] +=
-                static_cast<float>(allowedStretch * edge.conductance * edge.length);
+                static_cast<float>(EdgeRuns::allowedStretch * edge.conductance * edge.length);
             ++firstNeighbour_[static_cast<std::size_t>(node) + 1];
         }
     for (std::size_t n = 0; n < mesh.size(); ++n) {
@@ -98,8 +97,8 @@ void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gra
             // (1 - 1 / root) / outflow, without the difference of nearly equal numbers
             mobility[n] = doubleDensity * rate * film * runs * runs / (root * (root + 1));
         }
-        runs_.move(filmMass, [=](std::size_t a, std::size_t b, float conductance) {
-            const float rise = heights[a] - heights[b];
+        runs_.move(filmMass, [=](std::size_t a, std::size_t b, float conductance, float steepest) {
+            const float rise = std::min(std::max(heights[a] - heights[b], -steepest), steepest);
             return conductance * rise * (rise > 0 ? mobility[a] : mobility[b]);
         });
     }

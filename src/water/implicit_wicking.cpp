@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edge_runs.h"
+
 namespace drench {
 
 namespace {
@@ -46,9 +48,12 @@ void ImplicitWicking::step(double dt, const std::vector<float>& heights, double 
                            std::vector<double>& poreMass) {
     lowerShare_ = lowerShare;
     rise_.clear();
-    for (const Edge& edge : edges_)
-        rise_.push_back(weight * (double(heights[static_cast<std::size_t>(edge.a)]) -
-                                  double(heights[static_cast<std::size_t>(edge.b)])));
+    for (const Edge& edge : edges_) {
+        const double rise = double(heights[static_cast<std::size_t>(edge.a)]) -
+                            double(heights[static_cast<std::size_t>(edge.b)]);
+        const double steepest = EdgeRuns::allowedStretch * edge.length;
+        rise_.push_back(weight * std::clamp(rise, -steepest, steepest));
+    }
     // Pieces of the step are counted in the smallest that there are, so that they add up to it.
     int done = 0, piece = mostPieces;
     while (done < mostPieces) {

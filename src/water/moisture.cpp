@@ -81,6 +81,8 @@ Moisture::Moisture(Moisture&&) noexcept = default;
 Moisture& Moisture::operator=(Moisture&&) noexcept = default;
 
 std::size_t Moisture::openAccount(std::string name) {
+    for (std::size_t known = 0; known < accounts_.size(); ++known)
+        if (accounts_[known].name == name) return known;
     accounts_.push_back({std::move(name), 0, 0});
     return accounts_.size() - 1;
 }

@@ -9,15 +9,8 @@
 
 namespace drench {
 
-namespace {
-
-// A sheet in motion stretches; heights then differ by more than an edge is long at rest.
-constexpr double allowedStretch = 1.25;
-
-}  // namespace
-
 double lowerShare(const BrooksCorey& curve, double gravity, double longestEdge) {
-    const double weight = waterDensity * gravity * longestEdge * allowedStretch;
+    const double weight = waterDensity * gravity * longestEdge * EdgeRuns::allowedStretch;
     const double steepest = curve.permeabilitySlope(1) / curve.psiSlope(1);  // (3 L + 2) / p_b
     return weight * steepest > 2 ? 1 / (weight * steepest) : 0.5;
 }
@@ -59,8 +52,8 @@ std::size_t Wicking::bytes() const {
 
 double Wicking::explicitBound(double gravity) const {
     const double rate = fluxScale_ * (largestPsiRate_ * curve_.psiSlope(1) +
-                                      largestGravityRate_ * allowedStretch * waterDensity * gravity *
-                                          curve_.permeabilitySlope(1));
+                                      largestGravityRate_ * EdgeRuns::allowedStretch * waterDensity *
+                                          gravity * curve_.permeabilitySlope(1));
     return rate > 0 ? 1 / rate : std::numeric_limits<double>::infinity();
 }
 
@@ -88,7 +81,7 @@ void Wicking::evaluate(const double* poreMass, double psiFactor) {
     if (curve_.isSimple()) {
 #pragma omp simd
         for (std::size_t n = 0; n < nodes; ++n) {
-            const float s = std::min(static_cast<float>(poreMass[n]) * inverseCapacity[n], 1.0f);
+            const float s = std::clamp(static_cast<float>(poreMass[n]) * inverseCapacity[n], 0.0f, 1.0f);
             const float s4 = s * s * s * s;
             psi[n] = factor * s4;
             permeability[n] = s4 * s;
@@ -98,7 +91,7 @@ void Wicking::evaluate(const double* poreMass, double psiFactor) {
     const float psiExponent = static_cast<float>(curve_.psiExponent());
     const float permeabilityExponent = static_cast<float>(curve_.permeabilityExponent());
     for (std::size_t n = 0; n < nodes; ++n) {
-        const float s = std::min(static_cast<float>(poreMass[n]) * inverseCapacity[n], 1.0f);
+        const float s = std::clamp(static_cast<float>(poreMass[n]) * inverseCapacity[n], 0.0f, 1.0f);
         psi[n] = factor * std::pow(s, psiExponent);
         permeability[n] = std::pow(s, permeabilityExponent);
     }
@@ -109,8 +102,8 @@ void Wicking::explicitStep(double dt, const float* heights, double gravity, doub
     const float weight = static_cast<float>(dt * fluxScale_ * waterDensity * gravity);
     const float share = static_cast<float>(lowerShare(curve_, gravity, longestEdge_));
     const float *psi = psi_.data(), *permeability = permeability_.data();
-    runs_.move(poreMass, [=](std::size_t a, std::size_t b, float conductance) {
-        const float rise = heights[a] - heights[b];
+    runs_.move(poreMass, [=](std::size_t a, std::size_t b, float conductance, float steepest) {
+        const float rise = std::min(std::max(heights[a] - heights[b], -steepest), steepest);
         const float shareA = rise > 0 ? 1 - share : share;
         const float mean = permeability[b] + shareA * (permeability[a] - permeability[b]);
         return conductance * (psi[a] - psi[b] + weight * mean * rise);

@@ -158,7 +158,10 @@ TEST(Drops, HaveTheirPlaceAndFallOnAnotherSheetOrTheGround) {
     }
     const double inAir = [&] {
         double mass = 0;
-        for (const auto& flight : drops.inFlight()) mass += flight.mass;
+        for (const auto& flight : drops.inFlight()) {
+            mass += flight.mass * double(flight.count);
+            EXPECT_GT(flight.position.y(), 0.0);
+        }
         return mass;
     }();
     EXPECT_GT(drops.massOnSheets(), 0.01);
@@ -202,9 +205,8 @@ TEST(WetBody, WetsTheClothThatTouchesIt) {
     auto sheet = levelSheet(stage.bullet.world().getWorldInfo(), 1.21, 25, 0.8);
     for (int n = 0; n < 625; ++n)
         if (sheet->m_nodes[n].m_im == 0) sheet->m_nodes[n].m_im = 1;
-    const btSoftBody& body = *sheet;
     WetCloth& cloth = stage.add(std::move(sheet));
-    WetBody& wet = cloth.add(WetBody(body, ball));
+    WetBody& wet = cloth.add(WetBody(ball));
     wet.amount = 0.01;
     for (int i = 0; i < 60; ++i) stage.bullet.step(1.0 / 60, 16);
     EXPECT_GT(cloth.waterMass(), 1e-3);
@@ -227,11 +229,10 @@ TEST(Touch, PassesWaterBetweenTwoSheetsThatLieOnEachOther) {
         return sheet;
     };
     auto below = loose(1.01, 15), above = loose(1.03, 12);
-    const btSoftBody& lowerBody = *below;
     WetCloth& lower = stage.add(std::move(below));
     WetCloth& upper = stage.add(std::move(above));
     lower.presoak(0.15);
-    lower.add(Touch(lowerBody, upper));
+    lower.add(Touch(upper));
     const double before = lower.waterMass();
     for (int i = 0; i < 120; ++i) stage.bullet.step(1.0 / 60, 16);
     EXPECT_GT(upper.waterMass(), 0.05 * before);
@@ -297,6 +298,106 @@ TEST(Sources, WakeABodyThatSleeps) {
     EXPECT_TRUE(stage.bodies[0]->isActive());
     EXPECT_NEAR(supplied(cloth, "hose"), 1e-3, 1e-12);
     EXPECT_EQ(&cloth.account("hose"), &cloth.account("hose"));
+}
+
+/// Waters once, then goes, and leaves another behind.
+class Bucket final : public Source {
+  public:
+    explicit Bucket(WetCloth& cloth) : cloth_(cloth) {}
+    std::string name() const override { return "bucket"; }
+    void supply(const SheetPose&, double dt, Supply& supply) override {
+        if (dt == 0) return;
+        supply.addFilm(220, 1e-3);
+        cloth_.add(std::make_unique<Tap>(221));
+        cloth_.remove(*this);
+        supply.addFilm(220, 1e-3);  // it lives to the end of its turn
+    }
+
+  private:
+    WetCloth& cloth_;
+};
+
+TEST(Sources, MayRemoveThemselvesAndAddOthersWhileTheyWork) {
+    Stage stage;
+    WetCloth& cloth = stage.add(levelSheet(stage.bullet.world().getWorldInfo(), 1, 21));
+    cloth.add(Bucket(cloth));
+    cloth.add(Tap(100));
+    stage.bullet.step(0.01, 10);
+    EXPECT_NEAR(supplied(cloth, "bucket"), 2e-3, 1e-12);
+    EXPECT_NEAR(supplied(cloth, "tap"), 1e-3 * (0.01 + 0.009), 1e-9);  // one from the start, one a step later
+}
+
+TEST(Sources, OfTheSameNameShareAnAccount) {
+    Stage stage;
+    WetCloth& cloth = stage.add(levelSheet(stage.bullet.world().getWorldInfo(), 1, 9));
+    const std::size_t accounts = cloth.ledger().accounts.size();
+    for (int i = 0; i < 5; ++i) cloth.add(Rain(10));
+    cloth.account("rain");
+    cloth.account("application").addFilm(40, 1e-3);
+    EXPECT_EQ(cloth.ledger().accounts.size(), accounts + 1);
+    EXPECT_NEAR(supplied(cloth, "application"), 1e-3, 1e-12);
+}
+
+TEST(Drops, LandOnSheetsJustBelowAndPassNoSeam) {
+    // Over an identical sheet each drop falls right through a node or a side between faces.
+    for (const double gap : {0.01, 0.1}) {
+        Stage stage;
+        stage.bullet.addGround(0);
+        btSoftBodyWorldInfo& info = stage.bullet.world().getWorldInfo();
+        const auto fixed = [&](double height) {
+            auto sheet = levelSheet(info, height, 12, 0.3);
+            for (int n = 0; n < 144; ++n) sheet->m_nodes[n].m_im = 0;
+            return sheet;
+        };
+        WetCloth& upper = stage.add(fixed(1));
+        WetCloth& lower = stage.add(fixed(1 - gap));
+        FallingDrops drops(stage.bullet.world());
+        drops.add(upper);
+        drops.add(lower);
+        upper.presoak(1);
+        for (int frame = 0; frame < 60; ++frame) {
+            stage.bullet.step(1.0 / 60, 4);
+            drops.step(1.0 / 60);
+        }
+        EXPECT_GT(upper.ledger().dripped, 1e-3);
+        EXPECT_NEAR(supplied(lower, "drops"), upper.ledger().dripped, 1e-9) << gap;
+    }
+}
+
+TEST(Drops, ThatFallOnTheGroundLandThere) {
+    Stage stage;
+    stage.bullet.addGround(0);
+    auto sheet = levelSheet(stage.bullet.world().getWorldInfo(), 1, 12, 0.3);
+    for (int n = 0; n < 144; ++n) sheet->m_nodes[n].m_im = 0;
+    WetCloth& cloth = stage.add(std::move(sheet));
+    FallingDrops drops(stage.bullet.world());
+    drops.add(cloth);
+    cloth.presoak(1);
+    double landed = 0;
+    for (int frame = 0; frame < 120; ++frame) {
+        stage.bullet.step(1.0 / 60, 4);
+        drops.step(1.0 / 60);
+        for (const auto& landing : drops.landed()) {
+            EXPECT_NEAR(landing.position.y(), 0, 2e-3);
+            landed += landing.mass;
+        }
+        for (const auto& flight : drops.inFlight()) ASSERT_GT(flight.position.y(), -1e-3);
+    }
+    EXPECT_NEAR(landed, cloth.ledger().dripped, 0.1 * cloth.ledger().dripped);
+    EXPECT_NEAR(landed, drops.massElsewhere(), 1e-12);
+}
+
+TEST(Cloth, ThatLiesOnTheGroundDripsNothing) {
+    Stage stage;
+    stage.bullet.addGround(0);
+    auto sheet = levelSheet(stage.bullet.world().getWorldInfo(), 0.02, 12, 0.3);
+    for (int n = 0; n < 144; ++n)
+        if (sheet->m_nodes[n].m_im == 0) sheet->m_nodes[n].m_im = 1;
+    WetCloth& cloth = stage.add(std::move(sheet));
+    for (int i = 0; i < 60; ++i) stage.bullet.step(1.0 / 60, 8);  // comes to lie
+    cloth.presoak(1);
+    for (int i = 0; i < 60; ++i) stage.bullet.step(1.0 / 60, 8);
+    EXPECT_EQ(cloth.ledger().dripped, 0.0);
 }
 
 /// A closed sleeve, its axis upright, 0.2 m across.

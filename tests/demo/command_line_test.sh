@@ -47,7 +47,19 @@ expect 0 'check passed' drape --headless --seconds 0.2 --resolution 12 --csv "$f
   --frames "$folder/frames" --every 5
 exists "$folder/new/drape.csv" "$folder/frames/frame-000005.png" "$folder/frames/frame-000010.png" \
   "$folder/frames/contact-sheet.png"
-head -1 "$folder/new/drape.csv" | grep -q '^time_s,' || { echo "drape.csv has no header"; failed=1; }
+
+# Every scene runs, and logs the water of each frame under the same names.
+water='time_s,supplied_kg,pore_kg,film_kg,dripped_kg,evaporated_kg,returned_kg,mean_saturation'
+for scene in drape wick rain clothesline spill; do
+  expect 0 'check passed' "$scene" --headless --seconds 0.5 --resolution 16 --csv "$folder/$scene.csv"
+  head -1 "$folder/$scene.csv" | grep -q "^$water" || { echo "$scene.csv has no such header"; failed=1; }
+  rows=$(wc -l <"$folder/$scene.csv")
+  [ "$rows" -eq 31 ] || { echo "$scene.csv has $rows lines in place of 30 frames and a header"; failed=1; }
+  awk -F, -v scene="$scene" 'NR > 1 {
+    open = $2 - $3 - $4 - $5 - $6 - $7
+    if (open > 1e-6 * $2 + 1e-9 || -open > 1e-6 * $2 + 1e-9) { print scene ": open by " open " kg in line " NR; exit 1 }
+  }' "$folder/$scene.csv" || failed=1
+done
 
 # The same seed gives the same numbers.
 for run in 1 2; do
@@ -55,4 +67,9 @@ for run in 1 2; do
   cut -d, -f1-9 "$folder/run$run.csv" >"$folder/run$run.physics"  # without the columns that time the machine
 done
 cmp "$folder/run1.physics" "$folder/run2.physics" || failed=1
+head -1 "$folder/run1-water.csv" | grep -q "^$water,step" || { echo "run1-water.csv has no such header"; failed=1; }
+for run in 1 2; do
+  expect 0 'check passed' rain --headless --seconds 4 --resolution 16 --seed 3 --csv "$folder/rain$run.csv"
+done
+cmp "$folder/rain1.csv" "$folder/rain2.csv" || failed=1
 exit $failed

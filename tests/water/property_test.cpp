@@ -199,6 +199,26 @@ TEST(Property, StepsWithLittleWaterLoseNoneEither) {
     }
 }
 
+TEST(Property, ATornSheetKeepsItsWater) {
+    // An application that blows its sheet up leaves nodes many times their rest distance apart.
+    for (const double stretch : {2.0, 4.0, 100.0})
+        for (const double index : {1.0, 2.0})
+            for (const double dt : {0.002, 0.2, 20.0}) {
+                const LaidOut mesh = meshes::grid(21, 21, 0.02);
+                Fabric fabric = fabrics::cottonPlain();
+                fabric.poreSizeIndex = index;
+                Moisture water(fabric, mesh.cloth);
+                Surroundings around;
+                around.gravity = 9.81;
+                around.heights = meshes::upright(mesh);
+                for (float& height : around.heights) height *= static_cast<float>(stretch);
+                for (std::size_t n = 0; n < water.size(); ++n)
+                    water.addFilm(n, (n == 220 ? 10 : 2) * water.poreCapacity(n));
+                for (int i = 0; i < 200; ++i) water.step(dt, around);
+                EXPECT_TRUE(isSound(water)) << stretch << " times, L " << index << ", dt " << dt;
+            }
+}
+
 TEST(Property, TwoRunsAreTheSame) {
     const auto runOnce = [] {
         Random random(8);

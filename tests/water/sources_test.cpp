@@ -98,7 +98,8 @@ struct Cloth final : Supply {
                 up,
                 gravity,
                 std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0),
-                shelter};
+                shelter,
+                nullptr};
     }
     void move(const std::function<Vector3d(const Vector3d&)>& to) {
         for (Vector3d& place : positions) place = to(place);
