@@ -18,8 +18,8 @@ int runInWindow(const RunOptions& options);
 /// @throws std::runtime_error that names what cannot
 void checkTargets(const RunOptions& options);
 
-/// Writes the CSV file that the options ask for: the water of each frame. Where the scene has a result of its own, the file holds
-/// that, and the water is in a file beside it whose name ends in "-water".
+/// Writes the CSV file that the options ask for: the water of each frame. Where the scene has a result of its
+/// own, the file holds that, and the water is in a file beside it whose name ends in "-water".
 void writeResult(const RunOptions& options, const Scene& scene, const WaterLog& log);
 
 }  // namespace drench::demo

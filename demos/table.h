@@ -23,13 +23,13 @@ struct Table {
 /// Writes aligned columns; what was not measured is a dash.
 void print(std::ostream& out, const Table& table);
 
-/// Makes sure that a file can be written under a name, before the work that it is for: creates the folders above it. What
-/// stands there already stays as it is.
+/// Makes sure that a file can be written under a name, before the work that it is for: creates the folders
+/// above it. What stands there already stays as it is.
 /// @throws std::runtime_error that names the path and says what is in the way
 void checkWritable(const std::filesystem::path& path);
 
-/// Writes a CSV file with a header line and full digits; what was not measured is empty. The file appears under its name
-/// only once it is whole.
+/// Writes a CSV file with a header line and full digits; what was not measured is empty. The file appears
+/// under its name only once it is whole.
 /// @throws std::runtime_error as `checkWritable`, and when the disk is full
 void writeCsv(const std::filesystem::path& path, const Table& table);
 

@@ -13,7 +13,8 @@ class WaterLog {
     /// Adds a row for the frame that the scene has just simulated.
     void note(Scene& scene);
 
-    /// time_s, supplied_kg, pore_kg, film_kg, dripped_kg, evaporated_kg, returned_kg, mean_saturation, and the scene's own.
+    /// time_s, supplied_kg, pore_kg, film_kg, dripped_kg, evaporated_kg, returned_kg, mean_saturation, and
+    /// the scene's own.
     const Table& table() const { return table_; }
 
   private:

@@ -11,9 +11,10 @@
 
 namespace drench::demo {
 
-/// A sheet, 1.2 m square, hangs level between four posts, held at its corners and at the middle of two sides, and sags like an
-/// awning. A roof covers the half of it at x < 0. First it comes to rest, then rain falls for the rest of the time. The air
-/// is sealed off, so that all water in the sheltered half came out of the rain.
+/// A sheet, 1.2 m square, hangs level between four posts, held at its corners and at the middle of two sides,
+/// and sags like an awning. A roof covers the half of it at x < 0. First it comes to rest, then rain falls
+/// for the rest of the time. The air is sealed off, so that all water in the sheltered half came out of the
+/// rain.
 class HalfUnderRoof final : public Scene {
   public:
     explicit HalfUnderRoof(const SceneOptions& options);

@@ -139,8 +139,8 @@ double Spill::poured() const {
     return 0;
 }
 
-/// How far the deepest node would have to move, up or aside, to be out of the space of the table and below it, m; 0 if none is
-/// there. Cloth that hangs from an edge may swing under it a little.
+/// How far the deepest node would have to move, up or aside, to be out of the space of the table and below
+/// it, m; 0 if none is there. Cloth that hangs from an edge may swing under it a little.
 double Spill::deepestInTable() const {
     double deepest = 0;
     for (int n = 0; n < sheet_->m_nodes.size(); ++n) {

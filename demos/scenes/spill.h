@@ -11,8 +11,9 @@
 
 namespace drench::demo {
 
-/// A cloth, 1.1 m square, lies on a table and hangs over its edges. A jug pours water on its middle; the stain spreads in the
-/// cloth by wicking, twenty times as fast as in life. The air is sealed off, so that the stain neither dries nor grows by vapour.
+/// A cloth, 1.1 m square, lies on a table and hangs over its edges. A jug pours water on its middle; the
+/// stain spreads in the cloth by wicking, twenty times as fast as in life. The air is sealed off, so that the
+/// stain neither dries nor grows by vapour.
 class Spill final : public Scene {
   public:
     explicit Spill(const SceneOptions& options);

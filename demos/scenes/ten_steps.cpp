@@ -27,8 +27,8 @@ constexpr double notMeasured = std::numeric_limits<double>::quiet_NaN();
 constexpr double breath = 2.0;      // m/s
 constexpr double breathTime = 2.0;  // s
 
-// The experiment prescribes how much water each part of the cloth holds, so the water stands still: it neither runs down
-// nor dries.
+// The experiment prescribes how much water each part of the cloth holds, so the water stands still: it
+// neither runs down nor dries.
 constexpr double waterSpeed = 0;
 
 struct PhasePlan {

@@ -8,7 +8,8 @@
 
 namespace drench {
 
-/// The nodes and triangles of a sheet at rest, laid out flat in material coordinates: u along the warp, v along the weft.
+/// The nodes and triangles of a sheet at rest, laid out flat in material coordinates: u along the warp, v
+/// along the weft.
 struct ClothMesh {
     /// Cloth area of each node, m2, a third of its rest triangles; 0 for a node without cloth.
     std::vector<double> areas;
@@ -32,8 +33,8 @@ double triangleArea(const std::array<Eigen::Vector2d, 3>& corners);
 ClothMesh flatMesh(const std::vector<Eigen::Vector2d>& coordinates,
                    const std::vector<std::array<int, 3>>& triangles);
 
-/// Checks that areas are finite and not negative, that every triangle joins three different nodes that are there, and that
-/// its coordinates are finite and span an area.
+/// Checks that areas are finite and not negative, that every triangle joins three different nodes that are
+/// there, and that its coordinates are finite and span an area.
 /// @throws std::invalid_argument that names the node or triangle
 void validate(const ClothMesh& mesh);
 

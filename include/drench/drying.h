@@ -17,21 +17,21 @@ struct Evaporation {
 /// @throws std::invalid_argument that names the value and its range
 void validate(const Air& air);
 
-/// Evaporation of a sheet that is wet on both faces (textbook): rate = 2 h_m (rho_sat(T_s) - RH rho_sat(T_a)). The mass
-/// transfer coefficient is h_m = h_c / (rho_a c_p) Le^(-2/3), Le = 0.85 (Chilton & Colburn 1934); h_c that of a flat
-/// plate, Nu = 0.664 Re^1/2 Pr^1/3, or 0.037 Re^0.8 Pr^1/3 from Re = 5e5 on, at least free convection,
-/// 1.42 (|T_a - T_s| / length)^1/4. The surface temperature T_s balances
-/// (h_c + 5.5 W/(m2 K) of radiation) (T_a - T_s) = rate / 2 x latent heat. The air's vapour exchange then multiplies the
-/// rate and leaves the other two as they are. Water colder than 0 degrees counts as liquid.
+/// Evaporation of a sheet that is wet on both faces (textbook): rate = 2 h_m (rho_sat(T_s) - RH
+/// rho_sat(T_a)). The mass transfer coefficient is h_m = h_c / (rho_a c_p) Le^(-2/3), Le = 0.85 (Chilton &
+/// Colburn 1934); h_c that of a flat plate, Nu = 0.664 Re^1/2 Pr^1/3, or 0.037 Re^0.8 Pr^1/3 from Re = 5e5
+/// on, at least free convection, 1.42 (|T_a - T_s| / length)^1/4. The surface temperature T_s balances (h_c +
+/// 5.5 W/(m2 K) of radiation) (T_a - T_s) = rate / 2 x latent heat. The air's vapour exchange then multiplies
+/// the rate and leaves the other two as they are. Water colder than 0 degrees counts as liquid.
 /// @param speed   of the air along the sheet, m/s, 0 to 100
 /// @param length  of the sheet along the air, m, 1e-3 to 100
 /// @throws std::invalid_argument for air, speed or length out of range
 Evaporation evaporation(const Air& air, double speed, double length);
 
-/// Water that the fibre binds in humid air: the isotherm of Guggenheim, Anderson and de Boer (GAB),
-/// W = X c y / ((1 - y)(1 - y + c y)), y = k RH. c = 10 (assumed); X and k are such that the fabric has its regain at 65 %
-/// humidity and its bound maximum at 100 %. Where that takes a k above 0.999, as at a regain of 0, k is 0.999: the
-/// bound maximum holds, and the content at 65 % is above the regain.
+/// Water that the fibre binds in humid air: the isotherm of Guggenheim, Anderson and de Boer (GAB), W = X c y
+/// / ((1 - y)(1 - y + c y)), y = k RH. c = 10 (assumed); X and k are such that the fabric has its regain at
+/// 65 % humidity and its bound maximum at 100 %. Where that takes a k above 0.999, as at a regain of 0, k is
+/// 0.999: the bound maximum holds, and the content at 65 % is above the regain.
 class Isotherm {
   public:
     /// @throws std::invalid_argument for a fabric out of range

@@ -15,9 +15,10 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Takes the drops of some sheets, lets them fall freely, and wets the sheet on which they land, with their momentum, in its
-/// account "drops". Drops of a sheet whose water runs faster than mechanics fall as often as that, but push only as in
-/// mechanical time. Optional: an application may as well draw the drops of WetCloth::takeDrops itself, or ignore them.
+/// Takes the drops of some sheets, lets them fall freely, and wets the sheet on which they land, with their
+/// momentum, in its account "drops". Drops of a sheet whose water runs faster than mechanics fall as often as
+/// that, but push only as in mechanical time. Optional: an application may as well draw the drops of
+/// WetCloth::takeDrops itself, or ignore them.
 class FallingDrops {
   public:
     /// Drops that fall together.
@@ -44,8 +45,8 @@ class FallingDrops {
     /// Drops fall from this sheet from now on, and land on it. It may end at any time. @pre its world is this one's
     void add(WetCloth& cloth);
 
-    /// Takes new drops and moves all for `dt` seconds; call it once a frame, after the world's step. Solid bodies are met by
-    /// Bullet's ray test, sheets face by face. A drop that has fallen for 20 s is lost.
+    /// Takes new drops and moves all for `dt` seconds; call it once a frame, after the world's step. Solid
+    /// bodies are met by Bullet's ray test, sheets face by face. A drop that has fallen for 20 s is lost.
     /// @throws std::invalid_argument for a dt that is negative or not finite
     void step(double dt);
 

@@ -1,5 +1,5 @@
-// The water in the nodes of one sheet: two stores a node, pores and film, and what moves between them, between nodes and
-// into the air. Knows nothing of Bullet.
+// The water in the nodes of one sheet: two stores a node, pores and film, and what moves between them,
+// between nodes and into the air. Knows nothing of Bullet.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,9 @@ struct Surroundings {
 
 /// State of the water in a sheet.
 ///
-/// Pore water sits between the fibres, up to `poreCapacity(i)`; film water stands on the two faces. Masses are kept in double,
-/// so that a million small steps lose nothing that the ledger would notice; what is derived from them is single precision.
+/// Pore water sits between the fibres, up to `poreCapacity(i)`; film water stands on the two faces. Masses
+/// are kept in double, so that a million small steps lose nothing that the ledger would notice; what is
+/// derived from them is single precision.
 class Moisture {
   public:
     /// Drops that fell from a node within one step.
@@ -46,12 +47,13 @@ class Moisture {
     /// Number of nodes. Every `node` below is an index less than that; else std::out_of_range, where a call checks it.
     std::size_t size() const { return areas_.size(); }
 
-    /// Opens an account, or finds the one of that name. @return its number, for the calls below; 0 is "application", 1 "humid air"
+    /// Opens an account, or finds the one of that name. @return its number, for the calls below; 0 is
+    /// "application", 1 "humid air"
     std::size_t openAccount(std::string name);
 
     /// Puts `mass` kg of water, 0 to 1e6, on the faces of a node.
-    /// @throws std::out_of_range for a node or account that is not there; std::invalid_argument for a mass out of range, or a
-    ///     node without cloth. The sheet is then as before.
+    /// @throws std::out_of_range for a node or account that is not there; std::invalid_argument for a mass
+    ///     out of range, or a node without cloth. The sheet is then as before.
     void addFilm(std::size_t node, double mass, std::size_t account = 0);
     /// Puts water into the pores of a node, as far as they are not full, and the rest on its faces. Otherwise as above.
     void addPores(std::size_t node, double mass, std::size_t account = 0);
@@ -59,8 +61,8 @@ class Moisture {
     double takeFilm(std::size_t node, double mass, std::size_t account = 0);
     /// Takes up to `mass` kg out of the pores of a node. @return what was there to take. Otherwise as above.
     double takePores(std::size_t node, double mass, std::size_t account = 0);
-    /// Covers a share of a node's faces, 0 to 1, until the next step has passed: that share does not dry, and a node that is
-    /// covered whole does not drip. Shares add up to at most 1.
+    /// Covers a share of a node's faces, 0 to 1, until the next step has passed: that share does not dry, and
+    /// a node that is covered whole does not drip. Shares add up to at most 1.
     /// @throws std::out_of_range, std::invalid_argument
     void cover(std::size_t node, double share);
 
@@ -68,12 +70,12 @@ class Moisture {
     /// @throws std::out_of_range
     void layDown(std::size_t node);
 
-    /// Lets `dt` seconds pass: water evaporates (or is taken from damp air); film goes into the pores, where the missing share
-    /// falls by exp(-dt / wettingTime) as long as the film lasts; pore water wicks and drains, what pores cannot hold goes to
-    /// the film; the film runs down and drips. Parts of it that need shorter steps take them, or take one implicit step where
-    /// more than eight would be needed: any dt will do.
-    /// @throws std::invalid_argument for a dt that is negative or not finite, heights that are not finite or not one a node, a gravity or
-    ///     drying rate below 0, a humidity not in [0, 1).
+    /// Lets `dt` seconds pass: water evaporates (or is taken from damp air); film goes into the pores, where
+    /// the missing share falls by exp(-dt / wettingTime) as long as the film lasts; pore water wicks and
+    /// drains, what pores cannot hold goes to the film; the film runs down and drips. Parts of it that need
+    /// shorter steps take them, or, where these would be very many, one that is implicit: any dt will do.
+    /// @throws std::invalid_argument for a dt that is negative or not finite, heights that are not finite or
+    ///     not one a node, a gravity or drying rate below 0, a humidity not in [0, 1).
     void step(double dt, const Surroundings& surroundings);
     /// The same for a level sheet without weight, sealed from the air.
     void step(double dt) { step(dt, Surroundings()); }

@@ -39,8 +39,8 @@ struct SheetPose {
     Eigen::Vector3d areaVector(std::size_t node) const;
 };
 
-/// Where a source puts its water. Masses are kg, at least 0 and finite; nodes without cloth are not for watering. Anything
-/// else throws std::invalid_argument or std::out_of_range and leaves the sheet as it is.
+/// Where a source puts its water. Masses are kg, at least 0 and finite; nodes without cloth are not for
+/// watering. Anything else throws std::invalid_argument or std::out_of_range and leaves the sheet as it is.
 class Supply {
   public:
     virtual ~Supply() = default;
@@ -60,16 +60,18 @@ class Supply {
     virtual void cover(std::size_t node, double share) = 0;
 };
 
-/// Something that brings water. Derive from it for a source of your own: at the start of every step Drench calls `supply`
-/// with the time that passes and the sheet as it is, and writes down what it adds and takes in an account of its own.
+/// Something that brings water. Derive from it for a source of your own: at the start of every step Drench
+/// calls `supply` with the time that passes and the sheet as it is, and writes down what it adds and takes in
+/// an account of its own.
 class Source {
   public:
     virtual ~Source() = default;
     /// Name of its account in the ledger.
     virtual std::string name() const = 0;
-    /// Adds what comes in `dt` seconds of water time (see SheetSettings::waterSpeed). `dt` is 0 where water stands still, and
-    /// once when the source is added, on trial: then check the settings and bring nothing. What it throws refuses the source,
-    /// or later comes out of the step. It may add sources to its WetCloth and remove any, itself too.
+    /// Adds what comes in `dt` seconds of water time (see SheetSettings::waterSpeed). `dt` is 0 where water
+    /// stands still, and once when the source is added, on trial: then check the settings and bring nothing.
+    /// What it throws refuses the source, or later comes out of the step. It may add sources to its WetCloth
+    /// and remove any, itself too.
     virtual void supply(const SheetPose& sheet, double dt, Supply& supply) = 0;
 };
 

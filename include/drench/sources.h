@@ -1,6 +1,6 @@
-// The sources that come with Drench. Each is made with its settings, which may be changed at any time, and checks them when it
-// is added and at every step: a value out of range throws std::invalid_argument that names it. With a `dt` of 0 they bring
-// nothing and only check.
+// The sources that come with Drench. Each is made with its settings, which may be changed at any time, and
+// checks them when it is added and at every step: a value out of range throws std::invalid_argument that
+// names it. With a `dt` of 0 they bring nothing and only check.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace drench {
 
-/// Rain, in single drops. A drop lands on a node at random, as often as the node's area stands across the fall; a ray from
-/// there against the fall tells whether a solid thing keeps it off, so that a step costs no more rays than drops. The same
-/// seed gives the same drops on one platform. Cloth stretched to over 1.5 times its rest area catches no more than at that.
-/// Without gravity `intensity` is across the fall.
+/// Rain, in single drops. A drop lands on a node at random, as often as the node's area stands across the
+/// fall; a ray from there against the fall tells whether a solid thing keeps it off, so that a step costs no
+/// more rays than drops. The same seed gives the same drops on one platform. Cloth stretched to over 1.5
+/// times its rest area catches no more than at that. Without gravity `intensity` is across the fall.
 class Rain final : public Source {
   public:
     double intensity;  ///< on level ground, mm/h; 0 to 1000
@@ -35,10 +35,11 @@ class Rain final : public Source {
     std::vector<double> areaUpTo_;  // running sum of the nodes' rest areas, m2
 };
 
-/// A nozzle that spreads its water evenly over a cone. A node gets the share of the cone that it fills as seen from the
-/// nozzle; what passes the sheet by is not supplied. Solid things shelter: each step asks for at most `raysPerStep` nodes in
-/// turn and remembers the answers; until its first turn a node counts as in the open. A node is wetted if it lies in the
-/// cone itself: a cone that is narrower than the mesh is wide may pass between nodes.
+/// A nozzle that spreads its water evenly over a cone. A node gets the share of the cone that it fills as
+/// seen from the nozzle; what passes the sheet by is not supplied. Solid things shelter: each step asks for
+/// at most `raysPerStep` nodes in turn and remembers the answers; until its first turn a node counts as in
+/// the open. A node is wetted if it lies in the cone itself: a cone that is narrower than the mesh is wide
+/// may pass between nodes.
 class Spray final : public Source {
   public:
     Eigen::Vector3d origin;     ///< m
@@ -61,15 +62,16 @@ class Spray final : public Source {
     std::size_t nextRay_ = 0;
 };
 
-/// Water with a level surface: what is under it fills its pores at the pace of the fabric's wetting, and comes out with a film
-/// as thick as Landau & Levich (1942) say, 0.94 (gamma / (rho g))^1/2 (mu U / gamma)^2/3 with U the speed of the cloth, from the
-/// film that faces retain up to the thickest. More film than that goes back to the pool. Only wets; it does not push.
-/// Does nothing without gravity.
+/// Water with a level surface: what is under it fills its pores at the pace of the fabric's wetting, and
+/// comes out with a film as thick as Landau & Levich (1942) say, 0.94 (gamma / (rho g))^1/2 (mu U /
+/// gamma)^2/3 with U the speed of the cloth, from the film that faces retain up to the thickest. More film
+/// than that goes back to the pool. Only wets; it does not push. Does nothing without gravity.
 class Pool final : public Source {
   public:
     double level;  ///< height of the surface along the way up, m; -1e9 to 1e9
-    /// Least and greatest corner of its rectangle, m; -1e9 to 1e9, default everywhere. Its two sides are the axes of the world
-    /// without the one nearest to the way up, laid level: x and z where y is up, x and y where z is up, y and z where x is up.
+    /// Least and greatest corner of its rectangle, m; -1e9 to 1e9, default everywhere. Its two sides are the
+    /// axes of the world without the one nearest to the way up, laid level: x and z where y is up, x and y
+    /// where z is up, y and z where x is up.
     Eigen::Vector2d from = Eigen::Vector2d::Constant(-1e9);
     Eigen::Vector2d to = Eigen::Vector2d::Constant(1e9);
 
@@ -84,26 +86,30 @@ struct Mask {
     int height = 0;             ///< pixels, at least 1
     std::vector<float> values;  ///< 0 (black) to 1 (white), row by row from the top
 
-    /// Value at a place in the picture, both from 0 to 1 from its lower left corner; between pixels it is interpolated, outside
-    /// it is that of the nearest edge.
+    /// Value at a place in the picture, both from 0 to 1 from its lower left corner; between pixels it is
+    /// interpolated, outside it is that of the nearest edge.
     /// @throws std::invalid_argument for a mask without a value for each pixel, or a place that is no number
     double at(double right, double up) const;
 };
 
-/// Reads a picture (PNG and what else stb_image knows); colours become their luminance, as stored; transparent is black.
+/// Reads a picture (PNG and what else stb_image knows); colours become their luminance, as stored;
+/// transparent is black.
 /// @throws std::runtime_error that names the file and says what is wrong with it
 Mask readMask(const std::filesystem::path& path);
 
 /// Water put on chosen places over a time.
 class Soak final : public Source {
   public:
-    /// Spreads `mass` kg over nodes, by their area at rest, each once, within `duration` s of water time; 0: all in the first step.
-    /// @throws std::invalid_argument for a mass not in 0 to 1e6, or a duration not in 0 to 1e9, or no nodes; when it is added,
-    /// also for nodes none of which has cloth, and std::out_of_range for a node that is not there
+    /// Spreads `mass` kg over nodes, by their area at rest, each once, within `duration` s of water time; 0:
+    /// all in the first step.
+    /// @throws std::invalid_argument for a mass not in 0 to 1e6, or a duration not in 0 to 1e9, or no nodes;
+    ///     when it is added, also for nodes none of which has cloth, and std::out_of_range for a node that is
+    ///     not there
     Soak(std::vector<std::size_t> nodes, double mass, double duration = 0);
-    /// Lays a picture over the whole sheet, u to the right and v up, from the least to the greatest material coordinate of both.
-    /// White gets `massPerArea` kg/m2, 0 to 1000, black nothing.
-    /// @throws std::invalid_argument for a mask without pixels or with values not in 0 to 1, or a mass or duration out of range
+    /// Lays a picture over the whole sheet, u to the right and v up, from the least to the greatest material
+    /// coordinate of both. White gets `massPerArea` kg/m2, 0 to 1000, black nothing.
+    /// @throws std::invalid_argument for a mask without pixels or with values not in 0 to 1, or a mass or
+    ///     duration out of range
     static Soak picture(Mask mask, double massPerArea, double duration = 0);
 
     std::string name() const override { return "soak"; }

@@ -25,8 +25,9 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Who calls `WetCloth::preSubstep`.
 enum class Stepping {
-    /// The world, through its pre-tick callback. Set a pre-tick callback of your own before the world's first WetCloth; it
-    /// then runs first in each substep. One set later takes the slot, and the layer sleeps until the next WetCloth.
+    /// The world, through its pre-tick callback. Set a pre-tick callback of your own before the world's first
+    /// WetCloth; it then runs first in each substep. One set later takes the slot, and the layer sleeps until
+    /// the next WetCloth.
     byWorld,
     /// The application, at the start of each substep. The world's callback stays untouched.
     byApplication
@@ -34,17 +35,19 @@ enum class Stepping {
 
 /// Settings of one sheet in one world.
 struct SheetSettings {
-    /// Material coordinates (u along the warp, v along the weft) of each node, m. Empty: the sheet as it lies when
-    /// attached, which must be nearly flat, seen square to its best plane, with the warp along the body's first link. To
-    /// attach again to a sheet that hangs in folds, give the `materialCoordinates()` of the WetCloth before.
+    /// Material coordinates (u along the warp, v along the weft) of each node, m. Empty: the sheet as it lies
+    /// when attached, which must be nearly flat, seen square to its best plane, with the warp along the
+    /// body's first link. To attach again to a sheet that hangs in folds, give the `materialCoordinates()` of
+    /// the WetCloth before.
     std::vector<Eigen::Vector2d> materialCoordinates;
 
-    /// Instead, for cloth with seams, such as a sleeve: material coordinates of the three corners of each of the body's faces,
-    /// m. Neighbours need not agree but in the length of the side between them. See `wrappedCoordinates`.
+    /// Instead, for cloth with seams, such as a sleeve: material coordinates of the three corners of each of
+    /// the body's faces, m. Neighbours need not agree but in the length of the side between them. See
+    /// `wrappedCoordinates`.
     std::vector<std::array<Eigen::Vector2d, 3>> faceCoordinates;
 
-    /// How much faster water runs than the body's own time, 1; 0 to 1e5. Default 1. At 60 an hour of drying takes a minute.
-    /// Sources run with the water; what they throw at the body pushes it as in its own time.
+    /// How much faster water runs than the body's own time, 1; 0 to 1e5. Default 1. At 60 an hour of drying
+    /// takes a minute. Sources run with the water; what they throw at the body pushes it as in its own time.
     double waterSpeed = 1;
 
     /// Default: by the world.
@@ -53,10 +56,10 @@ struct SheetSettings {
 
 /// The water of one soft body and what it does to it.
 ///
-/// At the start of each of Bullet's substeps the sources bring their water; it dries, soaks in, wicks, runs down and drips
-/// (see `Moisture::step`); then node masses (with the momentum that the water brought), link stiffness in N/m and air forces
-/// are rewritten from it. A face on a solid body (btSoftBody::m_rcontacts) does not dry, and nothing drips from a node that lies
-/// on one.
+/// At the start of each of Bullet's substeps the sources bring their water; it dries, soaks in, wicks, runs
+/// down and drips (see `Moisture::step`); then node masses (with the momentum that the water brought), link
+/// stiffness in N/m and air forces are rewritten from it. A face on a solid body (btSoftBody::m_rcontacts)
+/// does not dry, and nothing drips from a node that lies on one.
 ///
 /// What this takes over of the body, and gives back when it ends:
 /// - node masses. Pins (inverse mass 0) stay pins, and may come and go while running;
@@ -64,20 +67,23 @@ struct SheetSettings {
 /// - the order of the links: hard links in mesh order blow up, so they come in colours meanwhile. Do not reorder them
 ///   (randomizeConstraints) while attached;
 /// - the aero model: kDG and kLF are 0 meanwhile;
-/// - the collision shape, replaced by one that knows when the body is deleted. Ask getCollisionShape() for it each time;
-///   its margin and user data carry over.
+/// - the collision shape, replaced by one that knows when the body is deleted. Ask getCollisionShape() for it
+///   each time; its margin and user data carry over.
+///
 /// Everything else, user pointer and tags, iterations, damping and contacts, stays the application's.
 ///
-/// How stiff links are: with piterations = 1 (and viterations = diterations = 0), a substep dt, and w the sum of a link's
-/// inverse masses, the layer writes m_c0 = max(w, w/2 + 1 / (k dt^2)), a variant of XPBD (Macklin et al. 2016) that is right
-/// at the end of the sweep. Up to `stepBound` a link has its stiffness of k N/m; beyond it acts softer, by about w dt^2 / 2
-/// beside 1 / k. With n > 1 sweeps m_c0 = w / (1 - (1 + w k dt^2)^(-1/n)); that helps less than n times the substeps. m_kLST
-/// plays no part. In single precision, within a few metres of the origin, substeps below about 1/2000 s lose gravity to
-/// rounding; where `stepBound` is shorter, use double-precision Bullet or a coarser grid, or live with softer links.
+/// How stiff links are: with piterations = 1 (and viterations = diterations = 0), a substep dt, and w the sum
+/// of a link's inverse masses, the layer writes m_c0 = max(w, w/2 + 1 / (k dt^2)), a variant of XPBD (Macklin
+/// et al. 2016) that is right at the end of the sweep. Up to `stepBound` a link has its stiffness of k N/m;
+/// beyond it acts softer, by about w dt^2 / 2 beside 1 / k. With n > 1 sweeps m_c0 = w / (1 - (1 + w k
+/// dt^2)^(-1/n)); that helps less than n times the substeps. m_kLST plays no part. In single precision,
+/// within a few metres of the origin, substeps below about 1/2000 s lose gravity to rounding; where
+/// `stepBound` is shorter, use double-precision Bullet or a coarser grid, or live with softer links.
 ///
-/// The layer, the body and the world may end in any order that Bullet itself allows: also after the body was deleted, or
-/// the world, the layer only stops working. One layer a body, and one world a layer: in another world than its own the
-/// body is not stepped by it. Many bodies a world. Not thread-safe: use it from the thread that steps the world.
+/// The layer, the body and the world may end in any order that Bullet itself allows: also after the body was
+/// deleted, or the world, the layer only stops working. One layer a body, and one world a layer: in another
+/// world than its own the body is not stepped by it. Many bodies a world. Not thread-safe: use it from the
+/// thread that steps the world.
 ///
 /// Node indices are those of the body; each call that takes one throws std::out_of_range for one that is not there.
 class WetCloth {
@@ -86,24 +92,26 @@ class WetCloth {
     /// @param world   that the body is or will be in
     /// @param sheet   any soft body with faces and links: from `makeSheet`, CreatePatch, CreateFromTriMesh, your own
     /// @param fabric  its cloth; copied
-    /// @throws std::invalid_argument, with the body as it was, for a fabric or setting out of range; a body without faces
-    ///     or links, with clusters or tetrahedra, with a node or link that is not finite, a link of no length, a triangle
-    ///     of no area, two faces or links of the same nodes, or with a WetCloth already; a voxel size of its world info, or a
-    ///     margin, larger than its mean link; a plane shape in the world that its
-    ///     collision filters, once it has any, let it meet; material coordinates that do not fit it.
+    /// @throws std::invalid_argument, with the body as it was, for a fabric or setting out of range; a body
+    ///     without faces or links, with clusters or tetrahedra, with a node or link that is not finite, a
+    ///     link of no length, a triangle of no area, two faces or links of the same nodes, or with a WetCloth
+    ///     already; a voxel size of its world info, or a margin, larger than its mean link; a plane shape in
+    ///     the world that its collision filters, once it has any, let it meet; material coordinates that do
+    ///     not fit it.
     WetCloth(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
              const SheetSettings& settings = {});
     ~WetCloth();
     WetCloth(const WetCloth&) = delete;
     WetCloth& operator=(const WetCloth&) = delete;
 
-    /// The air around the sheet; change it as you like between steps. Wind does not wake a body that sleeps. All of the sheet
-    /// dries alike: at the speed of the wind against the cloth's mean velocity, over a length that is the root of its area.
+    /// The air around the sheet; change it as you like between steps. Wind does not wake a body that sleeps.
+    /// All of the sheet dries alike: at the speed of the wind against the cloth's mean velocity, over a
+    /// length that is the root of its area.
     Air& air();
     const Air& air() const;
 
-    /// Adds a source of water: one of those in sources.h and wet_contact.h, or your own. It works from the next substep on, in the
-    /// account of its name; sources of the same name share it.
+    /// Adds a source of water: one of those in sources.h and wet_contact.h, or your own. It works from the
+    /// next substep on, in the account of its name; sources of the same name share it.
     /// @return the source where it is now, until it is removed; its settings may be changed there
     /// @throws what the source throws when its settings are off; it is then not added
     template <typename SourceType>
@@ -120,8 +128,8 @@ class WetCloth {
     /// Removes and destroys a source; its account stays. @throws std::invalid_argument for one that is not here
     void remove(const Source& source);
 
-    /// Brings water and takes it back at any time, in the account of that name, in the body's own time. Lives as long as the
-    /// WetCloth.
+    /// Brings water and takes it back at any time, in the account of that name, in the body's own time. Lives
+    /// as long as the WetCloth.
     Supply& account(const std::string& name);
 
     /// Hands over the drops that fell since the last call, oldest first. At most the last 100,000 are kept.
@@ -136,8 +144,8 @@ class WetCloth {
     /// Puts water on the faces of one node that moves with the node. Otherwise as above.
     void addWater(int node, double mass);
 
-    /// Puts the same water on every part of the cloth at once; it moves with the cloth. The source `Soak` is for chosen places,
-    /// and takes its time.
+    /// Puts the same water on every part of the cloth at once; it moves with the cloth. The source `Soak` is
+    /// for chosen places, and takes its time.
     /// @param massPerArea  kg per m2 of cloth, 0 to 1000
     /// @throws std::invalid_argument for a value out of range.
     void soak(double massPerArea);
@@ -166,9 +174,10 @@ class WetCloth {
     /// Material coordinates of each node, m; of a node on a seam, those in the first of its faces.
     const std::vector<Eigen::Vector2d>& materialCoordinates() const;
 
-    /// Longest substep at which, with piterations = 1, every stretch and shear link has its stiffness, s of the body's own
-    /// time: the smallest sqrt(2 / (w k)) over them, with water as it is now and no pins; infinite if there is none. The
-    /// free corners of a grid set it; the rest of the sheet allows sqrt(2) more.
+    /// Longest substep at which, with piterations = 1, every stretch and shear link has its stiffness, s of
+    /// the body's own time: the smallest sqrt(2 / (w k)) over them, with water as it is now and no pins;
+    /// infinite if there is none. The free corners of a grid set it; the rest of the sheet allows sqrt(2)
+    /// more.
     double stepBound() const;
 
     /// Does the layer's work for a substep of `dt` seconds that is about to begin. Only for `Stepping::byApplication`;
@@ -176,10 +185,12 @@ class WetCloth {
     /// sheets may have had theirs, and world.clearForces() is due before the next. The world's step also throws
     /// std::invalid_argument when a plane shape has come that the body can meet. Does nothing while the body is in no
     /// world or no longer exists.
-    /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive and finite, air
-    ///     or a source's setting out of range, and whatever a source of your own throws; std::runtime_error if a position or
-    ///     velocity of the body, its timescale, the wind or the gravity is not finite, the gravity is over 1e4 m/s2, or if its
-    ///     nodes, links or faces have changed in number. The body is then as before the call; of the sources, those before the one that threw have given.
+    /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive
+    ///     and finite, air or a source's setting out of range, and whatever a source of your own throws;
+    ///     std::runtime_error if a position or velocity of the body, its timescale, the wind or the gravity
+    ///     is not finite, the gravity is over 1e4 m/s2, or if its nodes, links or faces have changed in
+    ///     number. The body is then as before the call; of the sources, those before the one that threw have
+    ///     given.
     void preSubstep(btScalar dt);
 
   private:

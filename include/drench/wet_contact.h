@@ -14,9 +14,9 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// A collision object whose surface is wet. Where the sheet touches it (btSoftBody::m_rcontacts), the face between takes up a
-/// film of its own as thick as that on the body, with a time constant of 0.1 s (assumed). Contacts are those of the last
-/// substep.
+/// A collision object whose surface is wet. Where the sheet touches it (btSoftBody::m_rcontacts), the face
+/// between takes up a film of its own as thick as that on the body, with a time constant of 0.1 s (assumed).
+/// Contacts are those of the last substep.
 class WetBody final : public Source {
   public:
     double filmThickness = 0.1e-3;  ///< of the water on the body, m; 0 to 0.01
@@ -32,10 +32,10 @@ class WetBody final : public Source {
     const btCollisionObject* body_;
 };
 
-/// Two sheets that touch, by Bullet's own contacts between soft bodies (btSoftBody::m_scontacts: both need fCollision::VF_SS
-/// among their m_cfg.collisions). Water passes between a node and the face that it touches until pores are equally
-/// full, with the slower of the two wetting times, and the films equally thick, with 0.1 s (both assumed). Faces
-/// that touch do not dry. Add it to one of the two.
+/// Two sheets that touch, by Bullet's own contacts between soft bodies (btSoftBody::m_scontacts: both need
+/// fCollision::VF_SS among their m_cfg.collisions). Water passes between a node and the face that it touches
+/// until pores are equally full, with the slower of the two wetting times, and the films equally thick, with
+/// 0.1 s (both assumed). Faces that touch do not dry. Add it to one of the two.
 class Touch final : public Source {
   public:
     /// @param other  sheet, in the same world; when it is gone, nothing passes any more

@@ -11,7 +11,8 @@ namespace drench {
 /// Linear RGB reflectance, each 0 to 1.
 using Colour = std::array<double, 3>;
 
-/// How a face of the cloth takes the air: pressure 1/2 rho C_n u_n^2 across it, shear stress 1/2 rho C_t u_t^2 along it.
+/// How a face of the cloth takes the air: pressure 1/2 rho C_n u_n^2 across it, shear stress 1/2 rho C_t
+/// u_t^2 along it.
 struct AirDrag {
     double normal;        ///< C_n, 1; 1.2 (assumed: a plate across the flow)
     double tangential;    ///< C_t, 1; 0.03 (assumed: rough skin friction)
@@ -43,9 +44,9 @@ class WetLaws {
 
     /// Diffuse colour at a pore saturation of 0 to 1.
     ///
-    /// Dry and wet colour mix linearly in the Kubelka-Munk ratio K/S = (1 - A)^2 / (2 A). Nine tenths of the way are done
-    /// at 60 % saturation (linear up to there: measured), the last tenth from there to full pores (assumed). The wet
-    /// colour is A / (n^2 (1 - A) + A), n = 1.33 (Angstrom 1925): 0.4 becomes 0.27.
+    /// Dry and wet colour mix linearly in the Kubelka-Munk ratio K/S = (1 - A)^2 / (2 A). Nine tenths of the
+    /// way are done at 60 % saturation (linear up to there: measured), the last tenth from there to full
+    /// pores (assumed). The wet colour is A / (n^2 (1 - A) + A), n = 1.33 (Angstrom 1925): 0.4 becomes 0.27.
     Colour albedo(double saturation) const;
 
     /// How much of the face shines like water, 0 to 1: film thickness over the 18 um that a face retains (assumed).

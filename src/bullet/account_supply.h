@@ -17,8 +17,8 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// Books in one account of the sheet's moisture, notes the momentum that arrives, and wakes the body.
 class AccountSupply final : public Supply {
   public:
-    /// @param momentumShare  of arriving water that pushes the body: 1 / waterSpeed for a source that runs in water time, since
-    ///     the body is hit by so much less in its own time
+    /// @param momentumShare  of arriving water that pushes the body: 1 / waterSpeed for a source that runs in
+    ///     water time, since the body is hit by so much less in its own time
     AccountSupply(Moisture& moisture, std::vector<Arrival>& arrivals, btSoftBody& body,
                   const BodyWatch& watch, std::size_t account, double momentumShare)
         : moisture_(moisture),

@@ -18,10 +18,11 @@ class AirForces {
   public:
     explicit AirForces(const RestShape& shape);
 
-    /// Adds to the nodes' forces, per face, F = -1/2 rho A (C_n |u_n| u_n n + C_t |u_t| u_t), u the velocity of the face
-    /// against the wind. Air leaks through the cloth: the pressure is that of the speed which is left after the leak, and
-    /// the leak that of the pressure. The force is taken at the end of the substep (linearly implicit on the face's share
-    /// of its nodes' mass), so it may stop the relative motion but never reverses it.
+    /// Adds to the nodes' forces, per face, F = -1/2 rho A (C_n |u_n| u_n n + C_t |u_t| u_t), u the velocity
+    /// of the face against the wind. Air leaks through the cloth: the pressure is that of the speed which is
+    /// left after the leak, and the leak that of the pressure. The force is taken at the end of the substep
+    /// (linearly implicit on the face's share of its nodes' mass), so it may stop the relative motion but
+    /// never reverses it.
     ///
     /// @param masses       of the nodes, kg
     /// @param saturations  of the nodes' pores, 0 to 1

@@ -19,7 +19,8 @@ void checkBody(const btSoftBody& body);
 /// @throws std::invalid_argument
 void checkPlanes(const btCollisionWorld& world, const btSoftBody& body);
 
-/// Refuses a body that cannot touch things where they are: with a distance field or a margin coarser than its mean link.
+/// Refuses a body that cannot touch things where they are: with a distance field or a margin coarser than its
+/// mean link.
 /// @throws std::invalid_argument
 void checkContacts(const btSoftBody& body, const RestShape& shape);
 
@@ -27,8 +28,8 @@ void checkContacts(const btSoftBody& body, const RestShape& shape);
 /// @throws std::invalid_argument
 void checkDuplicates(const RestShape& shape);
 
-/// Refuses links of no length, faces of no area, and material coordinates that are not finite or in which a triangle has less
-/// than a third or more than three times its area.
+/// Refuses links of no length, faces of no area, and material coordinates that are not finite or in which a
+/// triangle has less than a third or more than three times its area.
 /// @throws std::invalid_argument
 void checkShape(const RestShape& shape, const ClothMesh& mesh);
 

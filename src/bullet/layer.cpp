@@ -239,8 +239,8 @@ void WetCloth::Layer::supply(double waterTime) {
     }
 }
 
-/// A face on a solid thing does not dry, and nothing drips through it. Bullet's contacts come and go from step to step, so one
-/// counts for a while.
+/// A face on a solid thing does not dry, and nothing drips through it. Bullet's contacts come and go from
+/// step to step, so one counts for a while.
 void WetCloth::Layer::touchSolids() {
     constexpr double lasting = 0.1;  // s
     constexpr double fromBelow = 0.5;

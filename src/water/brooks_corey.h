@@ -7,9 +7,9 @@
 
 namespace drench {
 
-/// Brooks & Corey (1964): capillary pressure p_c = p_b s^(-1/L) and relative permeability k_r = s^(3 + 2/L) of a saturation s,
-/// and Psi = integral of k_r |dp_c/ds| ds = (p_b / L) s^(3 + 1/L) / (3 + 1/L), Pa, whose differences drive wicking.
-/// Unlike p_c, Psi has no singularity in dry cloth.
+/// Brooks & Corey (1964): capillary pressure p_c = p_b s^(-1/L) and relative permeability k_r = s^(3 + 2/L)
+/// of a saturation s, and Psi = integral of k_r |dp_c/ds| ds = (p_b / L) s^(3 + 1/L) / (3 + 1/L), Pa, whose
+/// differences drive wicking. Unlike p_c, Psi has no singularity in dry cloth.
 class BrooksCorey {
   public:
     explicit BrooksCorey(const Fabric& fabric)

@@ -93,8 +93,8 @@ class IntrinsicTriangles {
             if (partner(side) != none && from(partner(side)) != from(side)) join(side, partner(side));
     }
 
-    /// Finds the triangles to reverse so that neighbours go round in the same sense, which flipping needs; a mesh may have
-    /// them mixed. @return whether there are any
+    /// Finds the triangles to reverse so that neighbours go round in the same sense, which flipping needs; a
+    /// mesh may have them mixed. @return whether there are any
     bool turnAlike(std::vector<char>& reversed) const {
         std::vector<char> seen(reversed.size(), 0);
         std::vector<std::size_t> open;

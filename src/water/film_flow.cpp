@@ -104,8 +104,8 @@ void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gra
     }
 }
 
-/// Backward Euler, node by node from the highest down: when a node's turn comes, all that flows to it has come. One such
-/// sweep would do at any length of step; a few are more exact.
+/// Backward Euler, node by node from the highest down: when a node's turn comes, all that flows to it has
+/// come. One such sweep would do at any length of step; a few are more exact.
 void FilmFlow::runInSweeps(double dt, const std::vector<float>& heights, double gravity, double* filmMass) {
     std::sort(downwards_.begin(), downwards_.end(), [&](int a, int b) {
         return heights[static_cast<std::size_t>(a)] > heights[static_cast<std::size_t>(b)];

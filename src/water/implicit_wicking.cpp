@@ -130,8 +130,8 @@ double ImplicitWicking::assemble(double dt, const std::vector<double>& poreMass)
     return largest;
 }
 
-/// Moves what the fluxes carry, rather than taking the solved saturations, which are right to rounding only: so no water is
-/// made or lost but where rounding left a store a hair below zero.
+/// Moves what the fluxes carry, rather than taking the solved saturations, which are right to rounding only:
+/// so no water is made or lost but where rounding left a store a hair below zero.
 void ImplicitWicking::applyFluxes(double dt, std::vector<double>& poreMass) const {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
         poreMass[static_cast<std::size_t>(edges_[e].a)] -= dt * fluxes_[e].value;

@@ -10,8 +10,8 @@
 
 namespace drench {
 
-/// The same fluxes as `Wicking`, taken at the end of the step (backward Euler): stable at any length. Newton's method with a
-/// sparse linear solve; a step that it does not solve is halved.
+/// The same fluxes as `Wicking`, taken at the end of the step (backward Euler): stable at any length.
+/// Newton's method with a sparse linear solve; a step that it does not solve is halved.
 class ImplicitWicking {
   public:
     /// @param fluxScale   rho h / mu

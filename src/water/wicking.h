@@ -18,12 +18,13 @@ class ImplicitWicking;
 /// permeability. What leaves one node enters the other.
 ///
 /// k weighs the relative permeabilities of the upper and the lower node so that the lower one has the share
-/// min(1/2, p_b / ((3 L + 2) rho g |z_i - z_j|)). The mean is right to second order; less of the lower node keeps the flux
-/// growing with the upper one's water and falling with the lower one's however coarse the mesh, so that no node is
-/// drained below zero and nothing oscillates.
+/// min(1/2, p_b / ((3 L + 2) rho g |z_i - z_j|)). The mean is right to second order; less of the lower node
+/// keeps the flux growing with the upper one's water and falling with the lower one's however coarse the
+/// mesh, so that no node is drained below zero and nothing oscillates.
 class Wicking {
   public:
-    /// Most explicit steps that a call takes before it takes one implicit step instead.
+    /// Most explicit steps that a call takes before it takes one implicit step instead, which costs as much
+    /// as some 440 of them and is less exact (docs/water.md).
     static constexpr int mostExplicitSteps = 400;
 
     Wicking(const Fabric& fabric, const ClothMesh& mesh);
@@ -35,8 +36,8 @@ class Wicking {
     /// Longest explicit step that keeps every store at or above zero, s.
     double explicitBound(double gravity) const;
 
-    /// Lets `dt` seconds pass. Pores may be left fuller than their capacity where gravity drives water together; the caller
-    /// moves the surplus to the film.
+    /// Lets `dt` seconds pass. Pores may be left fuller than their capacity where gravity drives water
+    /// together; the caller moves the surplus to the film.
     /// @param heights     of the nodes, m
     /// @param capacities  of the nodes' pores, kg
     /// @param poreMass    of the nodes, kg

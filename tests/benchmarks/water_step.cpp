@@ -1,6 +1,6 @@
-// Times the step of the water alone, on half-wet vertical sheets of cotton; also what it takes in memory and whether it
-// allocates. Takes half a minute or so. All times are processor time: on a server shared with others the clock on the wall
-// also counts them.
+// Times the step of the water alone, on half-wet vertical sheets of cotton; also what it takes in memory and
+// whether it allocates. Takes half a minute or so. All times are processor time: on a server shared with
+// others the clock on the wall also counts them.
 #include <benchmark/benchmark.h>
 #include <drench/fabric.h>
 #include <drench/moisture.h>
@@ -117,7 +117,8 @@ class Sheet {
   private:
     bool isUpper(std::size_t node) const { return places_[node].y() > 0.5 * (which_.side - 1) * spacing; }
 
-    /// Rows of nodes, as a grid is usually numbered; or, the worst case, the same nodes moved about and numbered at random.
+    /// Rows of nodes, as a grid is usually numbered; or, the worst case, the same nodes moved about and
+    /// numbered at random.
     ClothMesh mesh() {
         const int side = which_.side;
         std::vector<int> number(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
@@ -155,7 +156,8 @@ class Sheet {
     Surroundings surroundings_;
 };
 
-/// Bytes per second, read and written ones both counted, of copying 64 MiB; the best of many times, as is usual (STREAM).
+/// Bytes per second, read and written ones both counted, of copying 64 MiB; the best of many times, as is
+/// usual (STREAM).
 double measuredCopyBandwidth() {
     constexpr std::size_t size = std::size_t(64) << 20;
     const auto from = std::make_unique<char[]>(size), to = std::make_unique<char[]>(size);

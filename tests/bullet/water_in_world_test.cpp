@@ -109,8 +109,8 @@ TEST(Rain, PushesTheSheetWithItsMomentumInBodyTimeWhateverTheWaterSpeed) {
         stage.bullet.step(0.2, 100);
         double speed = 0;
         for (int n = 0; n < 121; ++n) speed -= double(stage.bodies[0]->m_nodes[n].m_v.y()) / 121;
-        // 100 mm/h is q = 1 / 36 kg/(m2 s). It pushes with 8 m/s q, and makes the cloth of 0.15 kg/m2 heavier by q in water
-        // time: v = 8 m/s / w ln(1 + w q t / 0.15), w the water speed.
+        // 100 mm/h is q = 1 / 36 kg/(m2 s). It pushes with 8 m/s q, and makes the cloth of 0.15 kg/m2 heavier
+        // by q in water time: v = 8 m/s / w ln(1 + w q t / 0.15), w the water speed.
         const double expected = 8 / waterSpeed * std::log(1 + waterSpeed * 0.2 / 36 / 0.150);
         EXPECT_NEAR(speed, expected, 0.1 * expected) << "water " << waterSpeed << " times as fast";
     }

@@ -186,8 +186,9 @@ TEST(Conductances, NoneIsNegativeWhereThePlainOnesAre) {
 }
 
 TEST(Conductances, ObtuseBordersAddLittle) {
-    // An edge of the border opposite to an obtuse angle conducts nothing where exact elements would have it negative. That
-    // errs upwards, on these small and bad meshes by a few per cent, and by a tenth where the weave is strongly directed.
+    // An edge of the border opposite to an obtuse angle conducts nothing where exact elements would have it
+    // negative. That errs upwards, on these small and bad meshes by a few per cent, and by a tenth where the
+    // weave is strongly directed.
     for (const auto& [name, patch] : patches())
         for (const Weave& weave : weaves) {
             const double most = std::max(weave.warp, weave.weft) > 4 ? 0.10 : 0.05;

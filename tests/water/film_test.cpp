@@ -142,7 +142,8 @@ TEST(Film, WhatCanRunDownDoesNotDrip) {
 }
 
 TEST(Film, ADropThatGatheredInAStepFallsInThatStep) {
-    // However long the step is: no node below which nothing is keeps a drop, and none keeps more than the thickest film.
+    // However long the step is: no node below which nothing is keeps a drop, and none keeps more than the
+    // thickest film.
     for (const double dt : {1.0, 60.0}) {
         Wall wall = hungByACorner(0.1e-3);
         for (int i = 0; i < 3; ++i) {

@@ -83,8 +83,8 @@ struct Disorder {
     bool evenBorder = false;  ///< border and the nodes next to it stay where a grid has them
 };
 
-/// A rectangle cut badly: nodes are moved at random (those of the border along it), and many cells are cut so that their
-/// largest angle is the larger one.
+/// A rectangle cut badly: nodes are moved at random (those of the border along it), and many cells are cut so
+/// that their largest angle is the larger one.
 inline LaidOut irregular(int columns, int rows, double spacing, unsigned seed,
                          const Disorder& disorder = Disorder()) {
     std::mt19937 random(seed);

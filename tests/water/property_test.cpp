@@ -1,4 +1,5 @@
-// Whatever the cloth, its shape, the weather and the step: no store is negative or more than full, and no water is lost.
+// Whatever the cloth, its shape, the weather and the step: no store is negative or more than full, and no
+// water is lost.
 #include <gtest/gtest.h>
 
 #include <cmath>

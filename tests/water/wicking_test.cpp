@@ -15,7 +15,8 @@ using meshes::LaidOut;
 constexpr double degree = 3.14159265358979323846 / 180;
 constexpr double gravity = 9.81;
 
-// The same law on one line, by finite volumes so fine that their size no longer matters. Shares no code with the library.
+// The same law on one line, by finite volumes so fine that their size no longer matters. Shares no code with
+// the library.
 class FineStrip {
   public:
     FineStrip(const Fabric& fabric, double length, double weight, double cell = 0.5e-3)
@@ -206,8 +207,9 @@ TEST(Wicking, OtherExponentsAlsoRiseAsOnAFineLine) {
 }
 
 TEST(Wicking, CottonReachesTheHeightsOfTheDesign) {
-    // The design also has 3.2 cm after 1 minute. That does not go with its 4.8 cm after 2, since a height whose square grows
-    // at most in proportion to time grows by at most the root of 2; the fine line above is at 3.5 cm then, and so is the sheet.
+    // The design also has 3.2 cm after 1 minute. That does not go with its 4.8 cm after 2, since a height
+    // whose square grows at most in proportion to time grows by at most the root of 2; the fine line above is
+    // at 3.5 cm then, and so is the sheet.
     const double heights[][2] = {{1, 3.53}, {2, 4.8}, {5, 7.2}, {10, 9.2}, {30, 14.3}};
     for (const double spacing : {0.005, 0.0025}) {
         Strip strip = uprightStrip(spacing, 0.22);
