@@ -1,0 +1,140 @@
+#include "drench/sources.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "drench/water.h"
+#include "sheet_stand_in.h"
+
+namespace drench {
+namespace {
+
+using Eigen::Vector3d;
+using test::Cloth;
+using test::expectRange;
+using test::expectRefusal;
+using test::nan;
+using test::run;
+
+TEST(Pool, FillsThePoresAtThePaceOfTheFabric) {
+    for (const double dt : {0.01, 0.5}) {
+        Cloth cloth(1, 4);
+        Pool pool(0.1);
+        run(pool, cloth, dt, static_cast<int>(std::lround(3 / dt)));
+        for (std::size_t node = 0; node < cloth.mesh.size(); ++node) {
+            const double full = 0.3 * cloth.mesh.areas[node];
+            EXPECT_NEAR(cloth.poreMass[node] / full, 1 - std::exp(-3.0 / 2), 1e-12) << dt;
+            EXPECT_EQ(cloth.covered[node], 1);
+        }
+    }
+}
+
+TEST(Pool, DrawsTheFilmOfLandauAndLevich) {
+    // At 1 m/s: 0.94 x 2.724 mm x 0.01374^(2/3) = 147 um a face.
+    struct Case {
+        double speed, thickness, tolerance;
+    };
+    for (const Case& given :
+         {Case{1, 146.9e-6, 0.2e-6}, Case{-1, 146.9e-6, 0.2e-6}, Case{0.5, 92.5e-6, 0.2e-6},
+          Case{0, retainedFilmThickness, 1e-15}, Case{10, thickestFilm, 1e-15}}) {
+        Cloth cloth(1, 4);
+        for (Vector3d& velocity : cloth.velocities) velocity = {0, given.speed, 0};
+        Pool pool(0.1);
+        run(pool, cloth, 0.01, 3);
+        EXPECT_NEAR(cloth.film() / (2 * waterDensity), given.thickness, given.tolerance) << given.speed;
+    }
+}
+
+TEST(Pool, TakesBackTheSurplusOfTheFilm) {
+    Cloth cloth(1, 4);
+    for (std::size_t node = 0; node < cloth.mesh.size(); ++node)
+        cloth.filmMass[node] = cloth.mesh.areas[node];
+    Pool pool(0.1);
+    run(pool, cloth, 0.01, 2);
+    EXPECT_NEAR(cloth.film(), 2 * waterDensity * retainedFilmThickness, 1e-12);
+    EXPECT_NEAR(cloth.taken, 1 - cloth.film(), 1e-12);
+}
+
+// Places of the nodes that a pool wets.
+std::vector<Vector3d> wetPlaces(const Cloth& cloth) {
+    std::vector<Vector3d> places;
+    for (std::size_t node = 0; node < cloth.mesh.size(); ++node) {
+        EXPECT_EQ(cloth.poreMass[node] > 0, cloth.covered[node] > 0) << node;
+        EXPECT_EQ(cloth.poreMass[node] > 0, cloth.filmMass[node] > 0) << node;
+        if (cloth.poreMass[node] > 0) places.push_back(cloth.positions[node]);
+    }
+    return places;
+}
+
+TEST(Pool, WetsOnlyWhatIsUnderItsLevel) {
+    Cloth cloth(1, 10);
+    cloth.move([](const Vector3d& p) { return Vector3d(0, p.x(), p.z()); });
+    Pool pool(0.35);
+    run(pool, cloth, 0.1, 1);
+    EXPECT_EQ(wetPlaces(cloth).size(), 4u * 11u);
+    for (const Vector3d& place : wetPlaces(cloth)) EXPECT_LT(place.y(), 0.35);
+}
+
+TEST(Pool, WetsOnlyInsideItsRectangleWhicheverWayIsUp) {
+    // The cloth in a world with another way up: its first and second side, and up.
+    const std::vector<std::array<Vector3d, 3>> worlds = {
+        {Vector3d::UnitX(), Vector3d::UnitZ(), Vector3d::UnitY()},
+        {Vector3d::UnitX(), Vector3d::UnitZ(), -Vector3d::UnitY()},
+        {Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()},
+        {Vector3d::UnitY(), Vector3d::UnitZ(), Vector3d::UnitX()},
+        {Vector3d(0.8, 0.6, 0), Vector3d::UnitZ(), Vector3d(-0.6, 0.8, 0)},
+        {Vector3d::UnitX(), Vector3d(0, 0.6, 0.8), Vector3d(0, 0.8, -0.6)},
+    };
+    for (const auto& [first, second, up] : worlds) {
+        Cloth cloth(1, 10);
+        const Vector3d across = first, further = second, way = up;
+        cloth.up = way;
+        cloth.move([&](const Vector3d& p) -> Vector3d { return p.x() * across + p.z() * further + 2 * way; });
+        Pool pool(2.1);
+        pool.from = {0.15, 0.45};
+        pool.to = {0.35, 0.95};
+        run(pool, cloth, 0.1, 1);
+        EXPECT_EQ(wetPlaces(cloth).size(), 2u * 5u) << up.transpose();
+        for (const Vector3d& place : wetPlaces(cloth)) {
+            EXPECT_NEAR(place.dot(first), 0.25, 0.1) << up.transpose();
+            EXPECT_NEAR(place.dot(second), 0.7, 0.25) << up.transpose();
+        }
+        Cloth above = cloth;
+        std::fill(above.filmMass.begin(), above.filmMass.end(), 0);
+        pool.level = 1.9;
+        run(pool, above, 0.1, 1);
+        EXPECT_EQ(above.film(), 0);
+    }
+}
+
+TEST(Pool, IsNotThereWithoutGravity) {
+    Cloth cloth(1, 4);
+    cloth.up.setZero();
+    cloth.gravity = 0;
+    Pool pool(0.1);
+    run(pool, cloth, 1, 1);
+    EXPECT_EQ(cloth.film(), 0);
+    EXPECT_EQ(cloth.covered[0], 0);
+}
+
+TEST(Refusals, PoolOutOfRange) {
+    const Pool pool(0);
+    expectRange(pool, &Pool::level, "Pool::level", -1e9, 1e9);
+    Pool turned(0), lost(0), endless(0);
+    turned.from = {1, 0};
+    turned.to = {0, 1};
+    lost.from.y() = nan;
+    endless.to.x() = std::numeric_limits<double>::infinity();
+    expectRefusal(turned, "Pool::from");
+    expectRefusal(lost, "Pool::from");
+    expectRefusal(endless, "Pool::to");
+}
+
+}  // namespace
+}  // namespace drench
