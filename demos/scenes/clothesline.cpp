@@ -55,9 +55,8 @@ void addDisc(viewer::SheetMesh& mesh, const Eigen::Vector3f& centre, float radiu
 }  // namespace
 
 Clothesline::Clothesline(const SceneOptions& options)
-    : fabric_(fabrics::byName(options.fabric)),
+    : TimedScene(options, 90),
       isCotton_(options.fabric == "cotton"),
-      duration_(options.seconds > 0 ? options.seconds : 90),
       wholeLength_(!(options.seconds > 0)),
       nodesWarp_(options.resolution > 0 ? options.resolution : 40),
       nodesWeft_(std::max(3, 1 + int(std::lround((nodesWarp_ - 1) * height / width)))),
@@ -65,6 +64,7 @@ Clothesline::Clothesline(const SceneOptions& options)
       balance_(Isotherm(fabric_).content(humidity)),
       lightestDrop_(std::numeric_limits<double>::infinity()),
       heaviestDrop_(0) {
+    windSpeed_ = 1.5;
     bullet_.addGround(0);
     const Corners corners = flatCorners({btScalar(-width / 2), btScalar(lineHeight), 0},
                                         {btScalar(width), 0, 0}, {0, btScalar(-height), 0});
@@ -79,7 +79,7 @@ Clothesline::Clothesline(const SceneOptions& options)
     drops_ = std::make_unique<FallingDrops>(bullet_.world());
     drops_->add(*cloth_);
     hang();
-    chooseSubsteps();
+    adjustSubsteps();
     note();
 }
 
@@ -117,21 +117,18 @@ double Clothesline::rippleDepth(double column) const {
 }
 
 /// The lighter the sheet gets, the shorter the substeps that show the stiffness of its links.
-void Clothesline::chooseSubsteps() {
-    const double bound = std::min(cloth_->stepBound(), frameTime);
-    substeps_ = std::clamp(int(std::ceil(frameTime / bound)), 1, mostSubsteps);
+void Clothesline::adjustSubsteps() {
+    chooseSubsteps(cloth_->stepBound(), mostSubsteps);
     mostSubstepsUsed_ = std::max(mostSubstepsUsed_, substeps_);
-    sheet_->m_cfg.kDP = btScalar(restDamping * frameTime / substeps_);
+    damp(*sheet_, restDamping);
 }
 
 void Clothesline::advance() {
     const double angle = windTurn * std::sin(2 * pi * time_ / windPeriod);
     cloth_->air().wind = windSpeed_ * Eigen::Vector3d(std::sin(angle), 0, std::cos(angle));
     constexpr int framesBetween = 30;
-    if (frames_ % framesBetween == 0) chooseSubsteps();
-    bullet_.step(frameTime, substeps_);
-    ++frames_;
-    time_ = frames_ * frameTime;
+    if (frames_ % framesBetween == 0) adjustSubsteps();
+    stepWorld();
     fallDrops();
     note();
     dry_ = inBalance();
@@ -346,9 +343,7 @@ void Clothesline::checkDrying(std::vector<std::string>& list) const {
 
 std::vector<std::string> Clothesline::failures() const {
     std::vector<std::string> list;
-    const Ledger ledger = cloth_->ledger();
-    if (std::abs(ledger.imbalance()) > 1e-6 * ledger.supplied)
-        list.push_back("the ledger is open by " + std::to_string(ledger.imbalance()) + " kg");
+    checkLedger(list, *cloth_);
     constexpr double rounding = 1e-7;  // kg
     for (std::size_t i = 1; i < samples_.size(); ++i) {
         const double caught = samples_[i].caught - samples_[i - 1].caught;

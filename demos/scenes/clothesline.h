@@ -9,15 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "../bullet_world.h"
-#include "../scene.h"
+#include "../timed_scene.h"
 
 namespace drench::demo {
 
 /// A soaked sheet, 1.0 m x 0.8 m, is pegged to a line in air of 25 degrees and 50 % humidity. The wind turns to and
 /// fro, so that the sheet moves, but its speed stays the same. The water runs 240 times as fast as the clock: an hour
 /// takes 15 seconds. Ends when every node is in balance with the air, or after 90 seconds.
-class Clothesline final : public Scene {
+class Clothesline final : public TimedScene {
   public:
     explicit Clothesline(const SceneOptions& options);
     ~Clothesline() override;
@@ -29,7 +28,6 @@ class Clothesline final : public Scene {
     viewer::Picture picture() const override;
     std::optional<std::string> moment() const override { return momentNow_; }
     std::vector<SceneSheet> sheets() override { return {{"laundry", cloth_.get()}}; }
-    double& windSpeed() override { return windSpeed_; }
     std::vector<Column> columns() const override { return {{"mass_kg", 5}, {"content", 4}}; }
     std::vector<double> row() const override { return {mass(), content()}; }
     void report(std::ostream& out) const override;
@@ -61,7 +59,7 @@ class Clothesline final : public Scene {
 
     void hang();
     double rippleDepth(double column) const;
-    void chooseSubsteps();
+    void adjustSubsteps();
     void fallDrops();
     void note();
     void noteMoment();
@@ -77,24 +75,17 @@ class Clothesline final : public Scene {
     void checkDrops(std::vector<std::string>& list) const;
     void checkDrying(std::vector<std::string>& list) const;
 
-    Fabric fabric_;
     bool isCotton_;
-    double duration_;   // s, at most
     bool wholeLength_;  // nobody asked for it to end early
-    double windSpeed_ = 1.5;
     int nodesWarp_;
     int nodesWeft_;
     double area_;     // m2
     double balance_;  // content in balance with the air, kg/kg
-    BulletWorld bullet_;
     std::unique_ptr<btSoftBody> sheet_;
     std::unique_ptr<WetCloth> cloth_;
     std::unique_ptr<FallingDrops> drops_;
     std::vector<int> pegs_;  // columns in which they sit
-    int substeps_ = 1;
     int mostSubstepsUsed_ = 0;
-    int frames_ = 0;
-    double time_ = 0;  // s
     bool dry_ = false;
     std::vector<Sample> samples_;
     std::vector<Spot> spots_;

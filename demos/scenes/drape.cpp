@@ -72,16 +72,15 @@ struct Drape::Side {
     }
 };
 
-Drape::Drape(const SceneOptions& options)
-    : fabric_(fabrics::byName(options.fabric)), duration_(options.seconds > 0 ? options.seconds : 3) {
+Drape::Drape(const SceneOptions& options) : TimedScene(options, 3) {
     const int nodes = options.resolution > 0 ? options.resolution : 40;
     bullet_.addGround(0);
     addSide("dry", -0.72, 0, nodes);
     addSide("wet", 0.72, 1, nodes);
     double bound = frameTime;
     for (const auto& side : sides_) bound = std::min(bound, side->cloth->stepBound());
-    substeps_ = std::clamp(int(std::ceil(frameTime / bound)), 1, mostSubsteps);
-    for (const auto& side : sides_) side->sheet->m_cfg.kDP = btScalar(restDamping * frameTime / substeps_);
+    chooseSubsteps(bound, mostSubsteps);
+    for (const auto& side : sides_) damp(*side->sheet, restDamping);
     table_.columns = columns();
     table_.columns.insert(table_.columns.begin(), {"time_s", 2});
 }
@@ -105,10 +104,8 @@ void Drape::addSide(const std::string& name, double x, double shareOfSaturation,
 
 void Drape::advance() {
     for (const auto& side : sides_) side->cloth->air().wind = {0, 0, windSpeed_};
-    bullet_.step(frameTime, substeps_);
-    ++frames_;
-    time_ = frames_ * frameTime;
-    if (frames_ % 6 != 0 && !finished()) return;
+    stepWorld();
+    if (!isDue(6)) return;
     table_.rows.push_back(row());
     table_.rows.back().insert(table_.rows.back().begin(), time_);
 }
@@ -129,9 +126,7 @@ std::vector<double> Drape::row() const {
 }
 
 std::string Drape::status() const {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(2) << time_ << " s of " << duration_ << " s";
-    return text.str();
+    return timeText(2);
 }
 
 viewer::Picture Drape::picture() const {
@@ -155,10 +150,8 @@ viewer::Picture Drape::picture() const {
 }
 
 std::optional<std::string> Drape::moment() const {
-    if (frames_ % 30 != 0 && !finished()) return std::nullopt;
-    std::ostringstream name;
-    name << "drape-" << std::setw(5) << std::setfill('0') << std::lround(time_ * 1000) << "ms";
-    return name.str();
+    if (!isDue(30)) return std::nullopt;
+    return momentName("drape");
 }
 
 std::vector<SceneSheet> Drape::sheets() {
@@ -184,10 +177,7 @@ std::vector<std::string> Drape::failures() const {
             list.push_back("the " + side->name + " sheet is " + std::to_string(deep) + " m inside its ball");
         if (!(side->highest() > ballHeight + 0.9 * ballRadius))
             list.push_back("the " + side->name + " sheet has slid off its ball");
-        const Ledger ledger = side->cloth->ledger();
-        if (std::abs(ledger.imbalance()) > 1e-6 * ledger.supplied)
-            list.push_back("the ledger of the " + side->name + " sheet is open by " +
-                           std::to_string(ledger.imbalance()) + " kg");
+        checkLedger(list, *side->cloth, "the ledger of the " + side->name + " sheet");
     }
     const double saturated = sides_[0]->mass() * (1 + fabric_.poreCapacity() / fabric_.arealDensity);
     const double withDrops = sides_[1]->mass() + sides_[1]->cloth->ledger().dripped;

@@ -5,26 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "../bullet_world.h"
-#include "../scene.h"
+#include "../timed_scene.h"
 
 namespace drench::demo {
 
 /// Two sheets of the same cloth, 1.2 m square, fall from just above two balls of 0.3 m radius. The left one
 /// is dry, the right one saturated.
-class Drape final : public Scene {
+class Drape final : public TimedScene {
   public:
     explicit Drape(const SceneOptions& options);
     ~Drape() override;
 
     void advance() override;
-    bool finished() const override { return time_ >= duration_; }
-    double progress() const override { return std::min(1.0, time_ / duration_); }
     std::string status() const override;
     viewer::Picture picture() const override;
     std::optional<std::string> moment() const override;
     std::vector<SceneSheet> sheets() override;
-    double& windSpeed() override { return windSpeed_; }
     std::vector<Column> columns() const override;
     std::vector<double> row() const override;
     void report(std::ostream& out) const override;
@@ -35,14 +31,7 @@ class Drape final : public Scene {
 
     void addSide(const std::string& name, double x, double shareOfSaturation, int nodes);
 
-    Fabric fabric_;
-    double duration_;
-    double windSpeed_ = 0;
-    BulletWorld bullet_;
     std::vector<std::unique_ptr<Side>> sides_;
-    int substeps_ = 1;
-    int frames_ = 0;
-    double time_ = 0;
     Table table_;  // each tenth of a second, for the report
 };
 

@@ -1,5 +1,6 @@
 #include "rain.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iomanip>
@@ -43,8 +44,7 @@ double areaInTheOpen(const std::array<btVector3, 3>& triangle) {
 }  // namespace
 
 HalfUnderRoof::HalfUnderRoof(const SceneOptions& options)
-    : fabric_(fabrics::byName(options.fabric)),
-      duration_(options.seconds > 0 ? options.seconds : settlingTime + 30),
+    : TimedScene(options, settlingTime + 30),
       // An even number, so that the edge of the roof is midway between two rows of nodes.
       nodes_(options.resolution > 0 ? (options.resolution + 1) / 2 * 2 : 40) {
     bullet_.addGround(0);
@@ -55,8 +55,8 @@ HalfUnderRoof::HalfUnderRoof(const SceneOptions& options)
     addSheet(options);
     drops_ = std::make_unique<FallingDrops>(bullet_.world());
     drops_->add(*cloth_);
-    substeps_ = std::clamp(int(std::ceil(frameTime / cloth_->stepBound())), 1, mostSubsteps);
-    sheet_->m_cfg.kDP = btScalar(restDamping * frameTime / substeps_);
+    chooseSubsteps(cloth_->stepBound(), mostSubsteps);
+    damp(*sheet_, restDamping);
     table_.columns = {
         {"rain_s", 1},          {"brought_kg_m2", 4},        {"intensity_mm_h", 2}, {"set_mm_h", 1},
         {"open_saturation", 4}, {"sheltered_saturation", 5}, {"deep_share_%", 4},   {"dripped_g", 2},
@@ -100,10 +100,8 @@ void HalfUnderRoof::advance() {
     rain_->intensity = time_ >= settlingTime - frameTime / 2 ? intensity : 0;
     if (rain_->intensity > 0) openAreaTime_ += openGround() * frameTime;
     cloth_->air().wind = {0, 0, windSpeed_};
-    bullet_.step(frameTime, substeps_);
+    stepWorld();
     drops_->step(frameTime);
-    ++frames_;
-    time_ = frames_ * frameTime;
     const bool rained = rainTime() > 0.5;
     if (rained && (std::lround(rainTime() / frameTime) % framesPerRow == 0 || finished()))
         table_.rows.push_back(reportRow());
@@ -154,13 +152,6 @@ double HalfUnderRoof::sag() const {
     return height - double(lowest);
 }
 
-/// By the rain, kg.
-double HalfUnderRoof::brought() const {
-    for (const Account& account : cloth_->ledger().accounts)
-        if (account.name == rain_->name()) return account.supplied;
-    return 0;
-}
-
 std::vector<Column> HalfUnderRoof::columns() const {
     return {{"open_saturation", 4}, {"sheltered_saturation", 5}, {"sag_m", 4}};
 }
@@ -185,10 +176,7 @@ std::vector<double> HalfUnderRoof::reportRow() const {
 }
 
 std::string HalfUnderRoof::status() const {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << (rainTime() > 0 ? "rains, " : "comes to rest, ") << time_
-         << " s of " << duration_ << " s";
-    return text.str();
+    return (rainTime() > 0 ? "rains, " : "comes to rest, ") + timeText(1);
 }
 
 viewer::Picture HalfUnderRoof::picture() const {
@@ -257,19 +245,15 @@ void HalfUnderRoof::showRain(viewer::Picture& picture) const {
 }
 
 std::optional<std::string> HalfUnderRoof::moment() const {
-    if (frames_ % framesPerRow != 0 && !finished()) return std::nullopt;
-    std::ostringstream name;
-    name << "rain-" << std::setw(5) << std::setfill('0') << std::lround(time_ * 1000) << "ms";
-    return name.str();
+    if (!isDue(framesPerRow)) return std::nullopt;
+    return momentName("rain");
 }
 
 void HalfUnderRoof::report(std::ostream& out) const {
     print(out, table_);
     out << "\nThe air is sealed off. deep_share is the water under the roof more than "
-        << std::lround(1e3 * (clearOfEdge + 2 * side / (nodes_ - 1)))
-        << " mm from its edge, of all.\nSubsteps per frame of 1/60 s, one sweep each: " << substeps_
-        << "; longest that shows the links' stiffness now: 1/" << std::lround(1 / cloth_->stepBound())
-        << " s\n";
+        << std::lround(1e3 * (clearOfEdge + 2 * side / (nodes_ - 1))) << " mm from its edge, of all.\n";
+    reportSubsteps(out, *cloth_);
 }
 
 std::vector<std::string> HalfUnderRoof::failures() const {
@@ -283,12 +267,10 @@ std::vector<std::string> HalfUnderRoof::failures() const {
     if (!(shareDeepInShelter() < 0.01))
         list.push_back(std::to_string(100 * shareDeepInShelter()) +
                        " % of the water is under the roof, far from its edge");
-    const Ledger ledger = cloth_->ledger();
-    if (std::abs(ledger.imbalance()) > 1e-6 * ledger.supplied)
-        list.push_back("the ledger is open by " + std::to_string(ledger.imbalance()) + " kg");
-    if (std::abs(ledger.supplied - brought()) > 1e-9)
-        list.push_back("something besides the rain brought " + std::to_string(ledger.supplied - brought()) +
-                       " kg");
+    checkLedger(list, *cloth_);
+    const double fromElsewhere = cloth_->ledger().supplied - brought();
+    if (std::abs(fromElsewhere) > 1e-9)
+        list.push_back("something besides the rain brought " + std::to_string(fromElsewhere) + " kg");
     return list;
 }
 

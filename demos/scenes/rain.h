@@ -1,13 +1,11 @@
 // A sheet hangs half under a roof while it rains.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "../bullet_world.h"
-#include "../scene.h"
+#include "../timed_scene.h"
 
 namespace drench::demo {
 
@@ -15,19 +13,16 @@ namespace drench::demo {
 /// and sags like an awning. A roof covers the half of it at x < 0. First it comes to rest, then rain falls
 /// for the rest of the time. The air is sealed off, so that all water in the sheltered half came out of the
 /// rain.
-class HalfUnderRoof final : public Scene {
+class HalfUnderRoof final : public TimedScene {
   public:
     explicit HalfUnderRoof(const SceneOptions& options);
     ~HalfUnderRoof() override;
 
     void advance() override;
-    bool finished() const override { return time_ >= duration_; }
-    double progress() const override { return std::min(1.0, time_ / duration_); }
     std::string status() const override;
     viewer::Picture picture() const override;
     std::optional<std::string> moment() const override;
     std::vector<SceneSheet> sheets() override { return {{"awning", cloth_.get()}}; }
-    double& windSpeed() override { return windSpeed_; }
     std::vector<Column> columns() const override;
     std::vector<double> row() const override;
     void report(std::ostream& out) const override;
@@ -41,24 +36,17 @@ class HalfUnderRoof final : public Scene {
     double saturationBetween(double from, double to) const;
     double shareDeepInShelter() const;
     double sag() const;
-    double brought() const;
+    double brought() const { return broughtBy(*rain_, *cloth_); }  // kg
     std::vector<double> reportRow() const;
     void showRain(viewer::Picture& picture) const;
     void showPosts(viewer::Picture& picture) const;
 
-    Fabric fabric_;
-    double duration_;
-    double windSpeed_ = 0;
     int nodes_;  // along each side
-    BulletWorld bullet_;
     btRigidBody* roof_ = nullptr;
     std::unique_ptr<btSoftBody> sheet_;
     std::unique_ptr<WetCloth> cloth_;
     Rain* rain_ = nullptr;
     std::unique_ptr<FallingDrops> drops_;
-    int substeps_ = 1;
-    int frames_ = 0;
-    double time_ = 0;
     double openAreaTime_ = 0;  // m2 s of open ground since the rain began
     Table table_;              // every five seconds, for the report
 };

@@ -1,5 +1,6 @@
 #include "spill.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -41,13 +42,12 @@ double Spill::Stain::roundness() const {
     return extentWeft > 0 ? extentWarp / extentWeft : std::numeric_limits<double>::quiet_NaN();
 }
 
-Spill::Spill(const SceneOptions& options)
-    : fabric_(fabrics::byName(options.fabric)), duration_(options.seconds > 0 ? options.seconds : 34) {
+Spill::Spill(const SceneOptions& options) : TimedScene(options, 34) {
     bullet_.addGround(0);
     addTable();
     addCloth(options);
-    substeps_ = std::clamp(int(std::ceil(frameTime / cloth_->stepBound())), 1, mostSubsteps);
-    sheet_->m_cfg.kDP = btScalar(restDamping * frameTime / substeps_);
+    chooseSubsteps(cloth_->stepBound(), mostSubsteps);
+    damp(*sheet_, restDamping);
     rows_.columns = {{"time_s", 2},    {"water_time_s", 0},      {"poured_g", 2}, {"stain_radius_m", 4},
                      {"roundness", 3}, {"saturation_within", 3}, {"dripped_g", 3}};
 }
@@ -82,15 +82,13 @@ void Spill::addCloth(const SceneOptions& options) {
 void Spill::advance() {
     pour();
     cloth_->air().wind = {0, 0, windSpeed_};
-    bullet_.step(frameTime, substeps_);
-    ++frames_;
-    time_ = frames_ * frameTime;
+    stepWorld();
     if (jug_->rate == 0 && emptyAt_ > 0) {
         const double area = stain().area;
         if (largestStain_ > 0) largestShrinkage_ = std::max(largestShrinkage_, 1 - area / largestStain_);
         largestStain_ = std::max(largestStain_, area);
     }
-    if (frames_ % framesPerRow == 0 || finished()) rows_.rows.push_back(reportRow());
+    if (isDue(framesPerRow)) rows_.rows.push_back(reportRow());
 }
 
 /// Pours until the cloth has got what was in the jug: nodes fill the round stream only roughly, so that a little of it
@@ -132,13 +130,6 @@ Spill::Stain Spill::stain() const {
     return stain;
 }
 
-/// By the jug, kg.
-double Spill::poured() const {
-    for (const Account& account : cloth_->ledger().accounts)
-        if (account.name == jug_->name()) return account.supplied;
-    return 0;
-}
-
 /// How far the deepest node would have to move, up or aside, to be out of the space of the table and below
 /// it, m; 0 if none is there. Cloth that hangs from an edge may swing under it a little.
 double Spill::deepestInTable() const {
@@ -173,13 +164,10 @@ std::vector<double> Spill::reportRow() const {
 }
 
 std::string Spill::status() const {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1)
-         << (time_ < settlingTime ? "the cloth comes to rest, "
-             : emptyAt_ > 0       ? "the stain spreads, "
-                                  : "the jug pours, ")
-         << time_ << " s of " << duration_ << " s";
-    return text.str();
+    return (time_ < settlingTime ? "the cloth comes to rest, "
+            : emptyAt_ > 0       ? "the stain spreads, "
+                                 : "the jug pours, ") +
+           timeText(1);
 }
 
 viewer::Picture Spill::picture() const {
@@ -225,10 +213,8 @@ void Spill::showJug(viewer::Picture& picture) const {
 std::optional<std::string> Spill::moment() const {
     const bool afterSettling = frames_ == int(std::lround(settlingTime / frameTime));
     const bool pouring = frames_ == int(std::lround((settlingTime + 1) / frameTime));
-    if (frames_ % (2 * framesPerRow) != 0 && !afterSettling && !pouring && !finished()) return std::nullopt;
-    std::ostringstream name;
-    name << "spill-" << std::setw(5) << std::setfill('0') << std::lround(time_ * 1000) << "ms";
-    return name.str();
+    if (!isDue(2 * framesPerRow) && !afterSettling && !pouring) return std::nullopt;
+    return momentName("spill");
 }
 
 void Spill::report(std::ostream& out) const {
@@ -236,10 +222,8 @@ void Spill::report(std::ostream& out) const {
     out << "\nThe air is sealed off; water runs " << waterSpeed
         << " times as fast as the cloth moves. Stained is what is more than a tenth saturated.\nThe jug was "
         << (emptyAt_ > 0 ? "empty" : "not empty") << " after " << std::fixed << std::setprecision(2)
-        << std::max(0.0, (emptyAt_ > 0 ? emptyAt_ : time_) - settlingTime)
-        << " s.\nSubsteps per frame of 1/60 s, one sweep each: " << substeps_
-        << "; longest that shows the links' stiffness now: 1/" << std::lround(1 / cloth_->stepBound())
-        << " s\n";
+        << std::max(0.0, (emptyAt_ > 0 ? emptyAt_ : time_) - settlingTime) << " s.\n";
+    reportSubsteps(out, *cloth_);
 }
 
 std::vector<std::string> Spill::failures() const {

@@ -1,32 +1,27 @@
 // Water poured on the middle of a tablecloth spreads.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "../bullet_world.h"
-#include "../scene.h"
+#include "../timed_scene.h"
 
 namespace drench::demo {
 
 /// A cloth, 1.1 m square, lies on a table and hangs over its edges. A jug pours water on its middle; the
 /// stain spreads in the cloth by wicking, twenty times as fast as in life. The air is sealed off, so that the
 /// stain neither dries nor grows by vapour.
-class Spill final : public Scene {
+class Spill final : public TimedScene {
   public:
     explicit Spill(const SceneOptions& options);
     ~Spill() override;
 
     void advance() override;
-    bool finished() const override { return time_ >= duration_; }
-    double progress() const override { return std::min(1.0, time_ / duration_); }
     std::string status() const override;
     viewer::Picture picture() const override;
     std::optional<std::string> moment() const override;
     std::vector<SceneSheet> sheets() override { return {{"tablecloth", cloth_.get()}}; }
-    double& windSpeed() override { return windSpeed_; }
     std::vector<Column> columns() const override;
     std::vector<double> row() const override;
     void report(std::ostream& out) const override;
@@ -48,23 +43,16 @@ class Spill final : public Scene {
     void addCloth(const SceneOptions& options);
     void pour();
     Stain stain() const;
-    double poured() const;
+    double poured() const { return broughtBy(*jug_, *cloth_); }  // kg
     double deepestInTable() const;
     std::vector<double> reportRow() const;
     void showTable(viewer::Picture& picture) const;
     void showJug(viewer::Picture& picture) const;
 
-    Fabric fabric_;
-    double duration_;
-    double windSpeed_ = 0;
-    BulletWorld bullet_;
     btRigidBody* table_ = nullptr;
     std::unique_ptr<btSoftBody> sheet_;
     std::unique_ptr<WetCloth> cloth_;
     Spray* jug_ = nullptr;
-    int substeps_ = 1;
-    int frames_ = 0;
-    double time_ = 0;
     double emptyAt_ = 0;           // s, when the last of the water left the jug; 0 before
     double largestStain_ = 0;      // m2, since then
     double largestShrinkage_ = 0;  // share of the largest stain before that a later one lacked

@@ -81,14 +81,14 @@ void showFrame(viewer::Picture& picture, float level) {
 }  // namespace
 
 Wick::Wick(const SceneOptions& options)
-    : fabric_(fabrics::byName(options.fabric)),
+    : TimedScene(options, 30),
       isCotton_(options.fabric == "cotton"),
-      duration_(options.seconds > 0 ? options.seconds : 30),
       nodesWarp_(options.resolution > 0 ? options.resolution : 61),
       nodesWeft_(std::max(3, 1 + int(std::lround((nodesWarp_ - 1) * width / length)))),
       spacing_(length / (nodesWarp_ - 1)) {
     // The topmost wet row is just under the surface, so that heights count from where the water enters.
     depth_ = (std::max(1.0, std::round(wantedDepth / spacing_)) + 0.01) * spacing_;
+    substeps_ = substeps;
     bullet_.addGround(0);
     const Corners corners = flatCorners({btScalar(-width / 2), btScalar(footHeight), 0},
                                         {0, btScalar(length), 0}, {btScalar(width), 0, 0});
@@ -112,9 +112,7 @@ Wick::~Wick() {
 
 void Wick::advance() {
     cloth_->air().wind = {0, 0, windSpeed_};
-    bullet_.step(frameTime, substeps);
-    ++frames_;
-    time_ = frames_ * frameTime;
+    stepWorld();
     heights_.push_back(frontHeight());
 }
 
@@ -260,9 +258,7 @@ std::vector<std::string> Wick::failures() const {
                        std::to_string(heights_[i]) + " m");
         break;
     }
-    const Ledger ledger = cloth_->ledger();
-    if (std::abs(ledger.imbalance()) > 1e-6 * ledger.supplied)
-        list.push_back("the ledger is open by " + std::to_string(ledger.imbalance()) + " kg");
+    checkLedger(list, *cloth_);
     if (!hasReference()) return list;
 
     for (const Reference& point : reference) {

@@ -6,27 +6,24 @@
 #include <string>
 #include <vector>
 
-#include "../bullet_world.h"
-#include "../scene.h"
+#include "../timed_scene.h"
 
 namespace drench::demo {
 
 /// A vertical strip, 3 cm wide and 30 cm long, warp upwards, both long edges held in a frame, its foot 1 cm in a
 /// dish of water. The water runs 60 times as fast as the clock: 30 minutes take 30 seconds. No vapour passes, so
 /// that nothing but height holds the water back.
-class Wick final : public Scene {
+class Wick final : public TimedScene {
   public:
     explicit Wick(const SceneOptions& options);
     ~Wick() override;
 
     void advance() override;
     bool finished() const override { return time_ > duration_ - frameTime / 2; }
-    double progress() const override { return std::min(1.0, time_ / duration_); }
     std::string status() const override;
     viewer::Picture picture() const override;
     std::optional<std::string> moment() const override;
     std::vector<SceneSheet> sheets() override { return {{"strip", cloth_.get()}}; }
-    double& windSpeed() override { return windSpeed_; }
     std::vector<Column> columns() const override { return {{"front_height_m", 4}}; }
     std::vector<double> row() const override { return {frontHeight()}; }
     void report(std::ostream& out) const override;
@@ -48,19 +45,13 @@ class Wick final : public Scene {
     bool hasReference() const;
     void reportFit(std::ostream& out) const;
 
-    Fabric fabric_;
     bool isCotton_;
-    double duration_;  // s
-    double windSpeed_ = 0;
     int nodesWarp_;
     int nodesWeft_;
     double spacing_;  // m, along the warp
     double depth_;    // m, of the foot below the water
-    BulletWorld bullet_;
     std::unique_ptr<btSoftBody> sheet_;
     std::unique_ptr<WetCloth> cloth_;
-    int frames_ = 0;
-    double time_ = 0;              // s
     std::vector<double> heights_;  // m, of the front after each frame
 };
 
