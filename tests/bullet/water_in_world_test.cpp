@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "worlds.h"
 
@@ -398,6 +399,44 @@ TEST(Cloth, ThatLiesOnTheGroundDripsNothing) {
     cloth.presoak(1);
     for (int i = 0; i < 60; ++i) stage.bullet.step(1.0 / 60, 8);
     EXPECT_EQ(cloth.ledger().dripped, 0.0);
+}
+
+TEST(Sources, OfAnyKindTogetherNeitherMakeNorLoseWater) {
+    std::mt19937 random(11);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    for (int run = 0; run < 8; ++run) {
+        Stage stage;
+        stage.bullet.addGround(0);
+        SheetSettings settings;
+        settings.waterSpeed = std::pow(10, between(-1, 3));
+        const bool irregular = run % 2 == 1;
+        btSoftBodyWorldInfo& info = stage.bullet.world().getWorldInfo();
+        WetCloth& cloth = stage.add(irregular ? test::triangleMesh(info) : levelSheet(info, 1, 15), settings);
+        FallingDrops drops(stage.bullet.world());
+        drops.add(cloth);
+        cloth.air() = {{between(-3, 3), 0, between(-3, 3)}, between(0, 60), between(0, 1), between(0, 1)};
+        cloth.add(Rain(between(0, 300), static_cast<std::uint32_t>(run)));
+        cloth.add(Spray({0, 1.5, 0}, {between(-0.3, 0.3), -1, 0}, between(0, 0.1))).halfAngle =
+            between(0.05, 0.6);
+        cloth.add(Brush({between(-0.2, 0.2), 1, 0}, between(0.05, 0.4), between(0, 1)));
+        cloth.add(Soak({1, 5, 9}, between(0, 0.1), between(0, 5)));
+        Pool& pool = cloth.add(Pool(between(0.8, 1)));
+        for (int frame = 0; frame < 60; ++frame) {
+            pool.level += between(-0.02, 0.02);
+            stage.bullet.step(1.0 / 60, 8);
+            drops.step(1.0 / 60);
+            expectClosed(cloth);
+            for (std::size_t n = 0; n < cloth.moisture().size(); ++n) {
+                ASSERT_GE(cloth.moisture().poreMass()[n], 0.0);
+                ASSERT_GE(cloth.moisture().filmMass()[n], 0.0);
+                ASSERT_LE(cloth.moisture().poreMass()[n], cloth.moisture().poreCapacity(n) * (1 + 1e-12));
+            }
+        }
+        EXPECT_GT(cloth.ledger().supplied, 0.0);
+        EXPECT_TRUE(test::isFinite(*stage.bodies[0])) << run;
+    }
 }
 
 /// A closed sleeve, its axis upright, 0.2 m across.

@@ -35,8 +35,8 @@ std::string refusalOf(Action action) {
     return "";
 }
 
-TEST(Evaporation, GivesTheCheckTableOfTheDesign) {
-    // The table stands in section 5, Drying, of the design (shared/design/physics.md): g per m2 of cloth and hour
+TEST(Evaporation, GivesTheReferenceTable) {
+    // Reference values, worked out beforehand from the same textbook formulas: g per m2 of cloth and hour
     // for a sheet of 0.5 m, worked out from the same formulas apart from this code. It is rounded, and its
     // constants of air are not on record, so 3 % are left.
     const std::vector<double> speeds = {0, 0.5, 1, 2, 3, 5};
@@ -187,7 +187,7 @@ TEST(Isotherm, PassesThroughTheRegainAndTheBoundMaximum) {
 
 TEST(Isotherm, FollowsTheFormulaOfGuggenheimAndersonDeBoer) {
     const Isotherm cotton(fabrics::cottonPlain());
-    // Close to the start values of the design, X 0.035 and k 0.85.
+    // Close to usual values for cotton, X 0.035 and k 0.85.
     EXPECT_NEAR(cotton.monolayer(), 0.0372, 1e-4);
     EXPECT_NEAR(cotton.multilayerConstant(), 0.834, 1e-3);
     // By hand at 30 %: y = 0.834 x 0.3 = 0.2502, W = 0.0372 x 2.502 / (0.7498 x 3.2518).

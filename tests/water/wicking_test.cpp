@@ -206,8 +206,8 @@ TEST(Wicking, OtherExponentsAlsoRiseAsOnAFineLine) {
     }
 }
 
-TEST(Wicking, CottonReachesTheHeightsOfTheDesign) {
-    // The design also has 3.2 cm after 1 minute. That does not go with its 4.8 cm after 2, since a height
+TEST(Wicking, CottonReachesTheReferenceHeights) {
+    // The reference table also has 3.2 cm after 1 minute. That does not go with its 4.8 cm after 2, since a height
     // whose square grows at most in proportion to time grows by at most the root of 2; the fine line above is
     // at 3.5 cm then, and so is the sheet.
     const double heights[][2] = {{1, 3.53}, {2, 4.8}, {5, 7.2}, {10, 9.2}, {30, 14.3}};
