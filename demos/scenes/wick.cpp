@@ -25,12 +25,13 @@ constexpr double finestNeeded = 5.1e-3;  // m, node spacing up to which heights 
 constexpr double tolerance = 0.1;        // of heights against the reference
 constexpr double fitFrom = 0.01, fitTo = 0.05;  // m, heights of the early rise
 
-/// Heights that a fine one-dimensional run of the same equations gives for cotton.
+/// Heights that a fine one-dimensional solution of the same equations gives for cotton (docs/water.md).
 struct Reference {
     double minutes;
     double height;  // m
 };
-constexpr std::array<Reference, 5> reference{{{1, 0.032}, {2, 0.048}, {5, 0.072}, {10, 0.092}, {30, 0.143}}};
+constexpr std::array<Reference, 5> reference{
+    {{1, 0.0353}, {2, 0.0479}, {5, 0.0701}, {10, 0.0920}, {30, 0.1371}}};
 
 constexpr double notMeasured = std::numeric_limits<double>::quiet_NaN();
 
@@ -211,7 +212,7 @@ std::optional<std::string> Wick::moment() const {
 void Wick::report(std::ostream& out) const {
     Table table;
     table.columns = {{"minutes", 0}, {"height_cm", 2}};
-    if (hasReference()) table.columns.push_back({"reference_cm", 1});
+    if (hasReference()) table.columns.push_back({"reference_cm", 2});
     for (const Reference& point : reference) {
         const double height = heightAfter(point.minutes);
         if (std::isnan(height)) continue;
