@@ -32,8 +32,7 @@ struct SheetPose {
     double gravity;      ///< m/s2
     double totalArea;    ///< of the cloth at rest, m2
     const Shelter& shelter;
-    const void*
-        body;  ///< address of the btSoftBody that it is, for sources that know Bullet; null without one
+    const void* body;  ///< address of its btSoftBody, for sources that know Bullet; null without one
 
     /// Area vector of a node: a third of its triangles' as they are now, m2, along their common normal.
     Eigen::Vector3d areaVector(std::size_t node) const;
@@ -62,7 +61,7 @@ class Supply {
 
 /// Something that brings water. Derive from it for a source of your own: at the start of every step Drench
 /// calls `supply` with the time that passes and the sheet as it is, and writes down what it adds and takes in
-/// an account of its own.
+/// the account of its name.
 class Source {
   public:
     virtual ~Source() = default;

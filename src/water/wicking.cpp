@@ -9,11 +9,16 @@
 
 namespace drench {
 
+namespace {
+
+/// Share of the lower node in the permeability to gravity.
 double lowerShare(const BrooksCorey& curve, double gravity, double longestEdge) {
     const double weight = waterDensity * gravity * longestEdge * EdgeRuns::allowedStretch;
     const double steepest = curve.permeabilitySlope(1) / curve.psiSlope(1);  // (3 L + 2) / p_b
     return weight * steepest > 2 ? 1 / (weight * steepest) : 0.5;
 }
+
+}  // namespace
 
 Wicking::Wicking(const Fabric& fabric, const ClothMesh& mesh)
     : Wicking(fabric, mesh, conductances(mesh, fabric.permeabilityWarp, fabric.permeabilityWeft)) {}

@@ -18,9 +18,9 @@ class ImplicitWicking;
 /// permeability. What leaves one node enters the other.
 ///
 /// k weighs the relative permeabilities of the upper and the lower node so that the lower one has the share
-/// min(1/2, p_b / ((3 L + 2) rho g |z_i - z_j|)). The mean is right to second order; less of the lower node
-/// keeps the flux growing with the upper one's water and falling with the lower one's however coarse the
-/// mesh, so that no node is drained below zero and nothing oscillates.
+/// min(1/2, p_b / ((3 L + 2) rho g d)), d 1.25 times the longest edge of the sheet. The mean is right to
+/// second order; less of the lower node keeps the flux growing with the upper one's water and falling with
+/// the lower one's however coarse the mesh, so that no node is drained below zero and nothing oscillates.
 class Wicking {
   public:
     /// Most explicit steps that a call takes before it takes one implicit step instead, which costs as much
@@ -28,7 +28,6 @@ class Wicking {
     static constexpr int mostExplicitSteps = 400;
 
     Wicking(const Fabric& fabric, const ClothMesh& mesh);
-    Wicking(const Fabric& fabric, const ClothMesh& mesh, const std::vector<Edge>& edges);
     ~Wicking();
     Wicking(Wicking&&) noexcept;
     Wicking& operator=(Wicking&&) noexcept;
@@ -48,11 +47,13 @@ class Wicking {
     std::size_t bytes() const;
 
   private:
+    Wicking(const Fabric& fabric, const ClothMesh& mesh, const std::vector<Edge>& edges);
+
     void explicitStep(double dt, const float* heights, double gravity, double* poreMass);
     void evaluate(const double* poreMass, double psiFactor);
 
     BrooksCorey curve_;
-    double fluxScale_;        // rho h / mu, kg s / (m2 ... ) per unit of conductance and Pa
+    double fluxScale_;        // rho h / mu, kg/(m2 Pa s)
     double longestEdge_ = 0;  // m
     EdgeRuns runs_;
     std::vector<float> inverseCapacities_;  // 1/kg; 0 for a node without cloth
