@@ -27,9 +27,9 @@ AirForces::AirForces(const RestShape& shape) : nodeAreas_(shape.nodeAreas), node
         faces_.push_back({shape.triangles[f], btScalar(shape.triangleAreas[f])});
 }
 
-void AirForces::add(btSoftBody& body, const WetLaws& laws, const Air& air, const std::vector<double>& masses,
-                    const std::vector<double>& saturations, double dt) {
-    gather(body, laws, air, masses, saturations);
+void AirForces::add(btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics,
+                    double dt) {
+    gather(body, laws, air, mechanics);
     const AirDrag drag = laws.drag(0);  // of its members only the permeability depends on the water
     for (const Face& face : faces_) {
         const btVector3 share = faceForce(face, drag, btScalar(dt)) / 3;
@@ -40,7 +40,7 @@ void AirForces::add(btSoftBody& body, const WetLaws& laws, const Air& air, const
 }
 
 void AirForces::gather(const btSoftBody& body, const WetLaws& laws, const Air& air,
-                       const std::vector<double>& masses, const std::vector<double>& saturations) {
+                       const SheetMechanics& mechanics) {
     const btVector3 wind(btScalar(air.wind.x()), btScalar(air.wind.y()), btScalar(air.wind.z()));
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         const btSoftBody::Node& source = body.m_nodes[static_cast<int>(n)];
@@ -48,8 +48,8 @@ void AirForces::gather(const btSoftBody& body, const WetLaws& laws, const Air& a
         node.position = source.m_x;
         node.velocity = source.m_v - wind;
         node.force.setZero();
-        node.massPerArea = nodeAreas_[n] > 0 ? btScalar(masses[n] / nodeAreas_[n]) : btScalar(0);
-        node.permeability = btScalar(laws.drag(saturations[n]).permeability);
+        node.massPerArea = nodeAreas_[n] > 0 ? btScalar(mechanics.masses[n] / nodeAreas_[n]) : btScalar(0);
+        node.permeability = btScalar(laws.drag(mechanics.saturations[n]).permeability);
     }
 }
 

@@ -8,7 +8,7 @@
 #include "drench/air.h"
 #include "drench/precision.h"
 #include "drench/wet_laws.h"
-#include "rest_shape.h"
+#include "sheet_mechanics.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -23,11 +23,8 @@ class AirForces {
     /// left after the leak, and the leak that of the pressure. The force is taken at the end of the substep
     /// (linearly implicit on the face's share of its nodes' mass), so it may stop the relative motion but
     /// never reverses it.
-    ///
-    /// @param masses       of the nodes, kg
-    /// @param saturations  of the nodes' pores, 0 to 1
-    void add(btSoftBody& body, const WetLaws& laws, const Air& air, const std::vector<double>& masses,
-             const std::vector<double>& saturations, double dt);
+    void add(btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics,
+             double dt);
 
   private:
     struct Node {
@@ -42,8 +39,7 @@ class AirForces {
         btScalar restArea;  // m2
     };
 
-    void gather(const btSoftBody& body, const WetLaws& laws, const Air& air,
-                const std::vector<double>& masses, const std::vector<double>& saturations);
+    void gather(const btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics);
     btVector3 faceForce(const Face& face, const AirDrag& drag, btScalar dt) const;
 
     std::vector<double> nodeAreas_;

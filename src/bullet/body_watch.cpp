@@ -21,13 +21,16 @@ void copyUserData(const btCollisionShape& from, btCollisionShape& to) {
 
 class WatchedShape final : public btSoftBodyCollisionShape {
   public:
-    WatchedShape(btSoftBody& body, btCollisionShape* own, std::shared_ptr<bool> alive)
-        : btSoftBodyCollisionShape(&body), own_(own), alive_(std::move(alive)) {
+    WatchedShape(btSoftBody& body, btCollisionShape* own, std::shared_ptr<bool> alive,
+                 SheetMechanics& mechanics)
+        : btSoftBodyCollisionShape(&body), own_(own), alive_(std::move(alive)), mechanics_(mechanics) {
         copyUserData(*own_, *this);
     }
     ~WatchedShape() override { *alive_ = false; }
 
     const char* getName() const override { return watchedShapeName; }
+
+    SheetMechanics& mechanics() { return mechanics_; }
 
     btCollisionShape* giveBack() {
         copyUserData(*this, *own_);
@@ -37,7 +40,12 @@ class WatchedShape final : public btSoftBodyCollisionShape {
   private:
     std::unique_ptr<btCollisionShape> own_;
     std::shared_ptr<bool> alive_;
+    SheetMechanics& mechanics_;
 };
+
+bool isWatched(const btSoftBody& body) {
+    return body.getCollisionShape()->getName() == watchedShapeName;
+}
 
 /// btSoftBody hides the setter of its base.
 void setShape(btSoftBody& body, btCollisionShape* shape) {
@@ -46,12 +54,13 @@ void setShape(btSoftBody& body, btCollisionShape* shape) {
 
 }  // namespace
 
-BodyWatch::BodyWatch(btSoftBody& body) : body_(body), alive_(std::make_shared<bool>(true)) {
-    if (body.getCollisionShape()->getName() == watchedShapeName)
+BodyWatch::BodyWatch(btSoftBody& body, SheetMechanics& mechanics)
+    : body_(body), alive_(std::make_shared<bool>(true)) {
+    if (isWatched(body))
         throw std::invalid_argument(
             "drench: this soft body has a WetCloth already; use that one, or destroy it before making "
             "another");
-    setShape(body, new WatchedShape(body, body.getCollisionShape(), alive_));
+    setShape(body, new WatchedShape(body, body.getCollisionShape(), alive_, mechanics));
 }
 
 BodyWatch::~BodyWatch() {
@@ -59,6 +68,11 @@ BodyWatch::~BodyWatch() {
     auto* shape = static_cast<WatchedShape*>(body_.getCollisionShape());
     setShape(body_, shape->giveBack());
     delete shape;
+}
+
+SheetMechanics* BodyWatch::mechanicsOf(btSoftBody& body) {
+    if (!isWatched(body)) return nullptr;
+    return &static_cast<WatchedShape*>(body.getCollisionShape())->mechanics();
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -24,7 +24,7 @@ double checkedWaterSpeed(double waterSpeed) {
                                 "; give a value from 0 to 100000");
 }
 
-RestShape checkedShape(btSoftRigidDynamicsWorld& world, const btSoftBody& body) {
+RestShape checkedShape(const btCollisionWorld& world, const btSoftBody& body) {
     checkBody(body);
     RestShape shape = restShapeOf(body);
     checkDuplicates(shape);
@@ -60,6 +60,14 @@ ClothMesh checkedMesh(const SheetSettings& settings, const btSoftBody& body, con
     return mesh;
 }
 
+SheetMechanics checkedMechanics(const btCollisionWorld& world, const btSoftBody& body, const Fabric& fabric,
+                                const SheetSettings& settings) {
+    validate(fabric);
+    RestShape shape = checkedShape(world, body);
+    ClothMesh mesh = checkedMesh(settings, body, shape);
+    return {fabric, std::move(shape), std::move(mesh)};
+}
+
 std::vector<Eigen::Vector2d> nodeCoordinates(const ClothMesh& mesh) {
     std::vector<Eigen::Vector2d> coordinates(mesh.size(), Eigen::Vector2d::Zero());
     for (std::size_t t = mesh.triangles.size(); t-- > 0;)  // so that the first face has the last word
@@ -76,29 +84,23 @@ WetCloth::Layer::Layer(btSoftRigidDynamicsWorld& aWorld, btSoftBody& sheet, cons
       body(sheet),
       stepping(settings.stepping),
       waterSpeed(checkedWaterSpeed(settings.waterSpeed)),
-      shape(checkedShape(world, body)),
-      mesh(checkedMesh(settings, body, shape)),
+      mechanics(checkedMechanics(world, body, fabric, settings)),
+      mesh(mechanics.mesh),
       coordinates(nodeCoordinates(mesh)),
       totalArea(std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0)),
       laws(fabric),
       moisture(fabric, mesh),
       // From here on nothing refuses, and the body may change.
-      watch(body),
-      taken(body, shape),
+      watch(body, mechanics),
+      taken(body, mechanics),
       shelter(world),
-      dryStiffness(linkStiffness(fabric, mesh, shape.links)),
-      airForces(shape),
+      airForces(mechanics.shape),
       application(moisture, arrivals, body, watch, 0, 1),
       pose(mesh),
       contacts(mesh.size()),
-      arrivals(shape.nodeAreas.size()),
-      masses(shape.nodeAreas.size()),
-      saturations(shape.nodeAreas.size()),
-      stretchRatios(shape.nodeAreas.size()),
-      bendingRatios(shape.nodeAreas.size()),
-      stiffness(shape.links.size()) {
-    evaluateLaws();
-    writeMasses(body, masses);
+      arrivals(mesh.size()) {
+    mechanics.evaluate(laws, moisture);
+    writeMasses(body, mechanics.masses);
     body.updateLinkConstants();  // fit for the masses, until the first substep brings those of the fabric
     if (stepping == Stepping::byWorld) listenToPreTick(world, *this);
 }
@@ -107,15 +109,15 @@ WetCloth::Layer::~Layer() {
     if (stepping == Stepping::byWorld) stopListeningToPreTick(world, *this);
     if (!watch.bodyIsAlive()) return;
     std::vector<double> dryMasses;
-    for (const double area : shape.nodeAreas) dryMasses.push_back(laws.mass(area, 0));
+    for (const double area : mesh.areas) dryMasses.push_back(laws.mass(area, 0));
     taken.giveBack(body, dryMasses);
 }
 
 std::size_t WetCloth::Layer::checkedNode(int node) const {
-    if (node >= 0 && node < static_cast<int>(masses.size())) return static_cast<std::size_t>(node);
+    if (node >= 0 && node < static_cast<int>(mesh.size())) return static_cast<std::size_t>(node);
     throw std::out_of_range("drench: node " + std::to_string(node) + " of a sheet with " +
-                            std::to_string(masses.size()) + " nodes; give 0 to " +
-                            std::to_string(masses.size() - 1));
+                            std::to_string(mesh.size()) + " nodes; give 0 to " +
+                            std::to_string(mesh.size() - 1));
 }
 
 /// Water on each node, kg, where every part of the cloth gets the same, kg/m2.
@@ -200,7 +202,7 @@ void WetCloth::Layer::preTick(btScalar dt) {
 
 void WetCloth::Layer::substep(btScalar dt) {
     checkBeforeStep(dt);
-    keepPrimed(body, shape);
+    keepPrimed(body, mechanics.shape);
     taken.silenceAero(body);
     const double bodyStep = double(dt) * double(body.m_cfg.timescale);
     time += bodyStep;
@@ -210,13 +212,8 @@ void WetCloth::Layer::substep(btScalar dt) {
     touchSolids();
     moveWater(bodyStep * waterSpeed);
     collectDrops();
-    takeUpMomentum(body, masses, arrivals);
-
-    evaluateLaws();
-    writeMasses(body, masses);
-    writeLinkConstants(body, stiffness, bodyStep);
-    // Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
-    if (body.isActive()) airForces.add(body, laws, air, masses, saturations, bodyStep);
+    takeUpMomentum(body, mechanics.masses, arrivals);
+    writeBack(bodyStep);
 }
 
 void WetCloth::Layer::supply(double waterTime) {
@@ -301,9 +298,9 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) const {
         throw std::runtime_error("drench: the gravity of the body's world info is " +
                                  std::to_string(gravity.length()) +
                                  " m/s2; give at most 10000 in getWorldInfo()->m_gravity");
-    if (body.m_nodes.size() != static_cast<int>(masses.size()) ||
-        body.m_links.size() != static_cast<int>(stiffness.size()) ||
-        body.m_faces.size() != static_cast<int>(shape.triangles.size()))
+    if (body.m_nodes.size() != static_cast<int>(mesh.size()) ||
+        body.m_links.size() != static_cast<int>(mechanics.shape.links.size()) ||
+        body.m_faces.size() != static_cast<int>(mesh.triangles.size()))
         throw std::runtime_error(
             "drench: the body has got or lost nodes, links or faces since the WetCloth was made; destroy the "
             "WetCloth before changing the body's topology and make another after");
@@ -317,20 +314,12 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) const {
     }
 }
 
-void WetCloth::Layer::evaluateLaws() {
-    for (std::size_t n = 0; n < masses.size(); ++n) {
-        masses[n] = laws.mass(shape.nodeAreas[n], moisture.poreMass()[n] + moisture.filmMass()[n]);
-        saturations[n] = moisture.saturation(n);
-        const double content = moisture.content(n);
-        stretchRatios[n] = laws.stretchRatio(content);
-        bendingRatios[n] = laws.bendingRatio(content);
-    }
-    for (std::size_t i = 0; i < stiffness.size(); ++i) {
-        const auto a = static_cast<std::size_t>(shape.links[i].nodes[0]);
-        const auto b = static_cast<std::size_t>(shape.links[i].nodes[1]);
-        const auto& ratios = dryStiffness[i].kind == LinkKind::bending ? bendingRatios : stretchRatios;
-        stiffness[i] = dryStiffness[i].dry * 0.5 * (ratios[a] + ratios[b]);
-    }
+void WetCloth::Layer::writeBack(double bodyStep) {
+    mechanics.evaluate(laws, moisture);
+    writeMasses(body, mechanics.masses);
+    writeLinkConstants(body, mechanics, bodyStep);
+    // Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
+    if (body.isActive()) airForces.add(body, laws, air, mechanics, bodyStep);
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

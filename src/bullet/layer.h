@@ -21,8 +21,8 @@
 #include "node_masses.h"
 #include "pose.h"
 #include "pre_tick.h"
-#include "rest_shape.h"
 #include "rigid_shelter.h"
+#include "sheet_mechanics.h"
 #include "taken_over.h"
 
 namespace drench {
@@ -70,7 +70,7 @@ struct WetCloth::Layer final : PreTickListener {
     void touchSolids();
     void moveWater(double waterTime);
     void collectDrops();
-    void evaluateLaws();
+    void writeBack(double bodyStep);
 
     btSoftRigidDynamicsWorld& world;  // known to exist during its own pre-tick only
     btSoftBody& body;                 // exists while the watch says so
@@ -79,8 +79,8 @@ struct WetCloth::Layer final : PreTickListener {
     int objectsChecked = 0;  // collision objects in the world when it was last looked through for planes
     Air air;
 
-    RestShape shape;
-    ClothMesh mesh;
+    SheetMechanics mechanics;
+    const ClothMesh& mesh;
     std::vector<Eigen::Vector2d> coordinates;  // of the nodes
     double totalArea;                          // m2
     WetLaws laws;
@@ -88,7 +88,6 @@ struct WetCloth::Layer final : PreTickListener {
     BodyWatch watch;
     TakenOver taken;
     RigidShelter shelter;
-    std::vector<LinkStiffness> dryStiffness;
     AirForces airForces;
 
     AccountSupply application;  // for water that the application adds itself
@@ -104,12 +103,7 @@ struct WetCloth::Layer final : PreTickListener {
     std::vector<Contact> contacts;  // of each node
     double touchedUntil = -1;       // by which the last of them ends
 
-    std::vector<Arrival> arrivals;      // since the last substep
-    std::vector<double> masses;         // kg, as last written to the body
-    std::vector<double> saturations;    // of each node, as of this substep
-    std::vector<double> stretchRatios;  // of each node, wet over dry
-    std::vector<double> bendingRatios;  // of each node, wet over dry
-    std::vector<double> stiffness;      // N/m, of each link, as of this substep
+    std::vector<Arrival> arrivals;  // since the last substep
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -12,7 +12,7 @@ double linkConstant(double inverseMass, double stiffness, double dt, int sweeps)
     return -inverseMass / std::expm1(-std::log1p(stiff) / sweeps);
 }
 
-void writeLinkConstants(btSoftBody& body, const std::vector<double>& stiffness, double dt) {
+void writeLinkConstants(btSoftBody& body, const SheetMechanics& mechanics, double dt) {
     // Between two pins nothing moves. Bullet divides by the constant all the same, so it must not be 0.
     constexpr btScalar betweenPins = 1;
     // Single precision holds a link so soft that it does nothing, and no softer.
@@ -22,8 +22,9 @@ void writeLinkConstants(btSoftBody& body, const std::vector<double>& stiffness, 
         const double inverseMass = double(link.m_n[0]->m_im) + double(link.m_n[1]->m_im);
         link.m_c0 =
             inverseMass > 0
-                ? btScalar(std::min(softest, linkConstant(inverseMass, stiffness[static_cast<std::size_t>(i)],
-                                                          dt, body.m_cfg.piterations)))
+                ? btScalar(std::min(
+                      softest, linkConstant(inverseMass, mechanics.stiffness(static_cast<std::size_t>(i)), dt,
+                                            body.m_cfg.piterations)))
                 : betweenPins;
     }
 }

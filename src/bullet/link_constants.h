@@ -3,9 +3,8 @@
 
 #include <BulletSoftBody/btSoftBody.h>
 
-#include <vector>
-
 #include "drench/precision.h"
+#include "sheet_mechanics.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -26,10 +25,8 @@ inline constexpr double resolvedStiffness = 2;
 /// them leave (1 - w / m_c0)^n; a spring in an implicit step leaves 1 / (1 + w k dt^2).
 double linkConstant(double inverseMass, double stiffness, double dt, int sweeps);
 
-/// Sets m_c0 of every link from the inverse masses of its nodes.
-/// @param stiffness  of each link, N/m
-/// @param dt         the substep, s
-void writeLinkConstants(btSoftBody& body, const std::vector<double>& stiffness, double dt);
+/// Sets m_c0 of every link from its stiffness and the inverse masses of its nodes, for a substep of dt s.
+void writeLinkConstants(btSoftBody& body, const SheetMechanics& mechanics, double dt);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

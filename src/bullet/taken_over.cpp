@@ -24,11 +24,13 @@ std::vector<Value> reordered(const std::vector<Value>& values, const std::vector
 
 }  // namespace
 
-TakenOver::TakenOver(btSoftBody& body, RestShape& shape) : linkOrder_(orderOfColours(shape)) {
+TakenOver::TakenOver(btSoftBody& body, SheetMechanics& mechanics)
+    : linkOrder_(orderOfColours(mechanics.shape)) {
     prime(body);
     reorderLinks(body, linkOrder_);
-    shape.links = reordered(shape.links, linkOrder_);
-    shape.restLengths = reordered(shape.restLengths, linkOrder_);
+    mechanics.shape.links = reordered(mechanics.shape.links, linkOrder_);
+    mechanics.shape.restLengths = reordered(mechanics.shape.restLengths, linkOrder_);
+    mechanics.dryStiffness = reordered(mechanics.dryStiffness, linkOrder_);
     for (int n = 0; n < body.m_nodes.size(); ++n) inverseMasses_.push_back(body.m_nodes[n].m_im);
     for (int i = 0; i < body.m_links.size(); ++i) linkConstants_.push_back(body.m_links[i].m_c0);
     drag_ = body.m_cfg.kDG;

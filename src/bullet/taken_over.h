@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "drench/precision.h"
-#include "rest_shape.h"
+#include "sheet_mechanics.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 class TakenOver {
   public:
-    /// Primes the body, keeps what it was, and orders its links by colour, and `shape` with them.
-    TakenOver(btSoftBody& body, RestShape& shape);
+    /// Primes the body, keeps what it was, and orders its links by colour, and those of `mechanics` with them.
+    TakenOver(btSoftBody& body, SheetMechanics& mechanics);
 
     /// Switches Bullet's aero models off; what the application has set since is kept for the end.
     void silenceAero(btSoftBody& body);

@@ -70,7 +70,7 @@ double WetCloth::waterMass() const {
 
 double WetCloth::dryMass() const {
     double mass = 0;
-    for (const double area : layer_->shape.nodeAreas) mass += layer_->laws.mass(area, 0);
+    for (const double area : layer_->mesh.areas) mass += layer_->laws.mass(area, 0);
     return mass;
 }
 
@@ -105,12 +105,13 @@ const std::vector<Eigen::Vector2d>& WetCloth::materialCoordinates() const {
 }
 
 double WetCloth::stepBound() const {
+    const SheetMechanics& mechanics = layer_->mechanics;
     double bound = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < layer_->stiffness.size(); ++i) {
-        if (layer_->dryStiffness[i].kind == LinkKind::bending) continue;
+    for (std::size_t i = 0; i < mechanics.shape.links.size(); ++i) {
+        if (mechanics.dryStiffness[i].kind == LinkKind::bending) continue;
         double inverseMass = 0;
-        for (const int node : layer_->shape.links[i].nodes) inverseMass += 1 / nodeMass(node);
-        bound = std::min(bound, std::sqrt(resolvedStiffness / (inverseMass * layer_->stiffness[i])));
+        for (const int node : mechanics.shape.links[i].nodes) inverseMass += 1 / nodeMass(node);
+        bound = std::min(bound, std::sqrt(resolvedStiffness / (inverseMass * mechanics.stiffness(i))));
     }
     return bound;
 }

@@ -1,0 +1,39 @@
+#include "sheet_mechanics.h"
+
+#include <utility>
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+SheetMechanics::SheetMechanics(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh)
+    : shape(std::move(restShape)),
+      mesh(std::move(clothMesh)),
+      bending(fabric.bending),
+      bendingFriction(fabric.bendingFriction),
+      dryStiffness(linkStiffness(fabric, mesh, shape.links)),
+      masses(shape.nodeAreas.size()),
+      saturations(shape.nodeAreas.size()),
+      stretchRatios(shape.nodeAreas.size()),
+      bendingRatios(shape.nodeAreas.size()),
+      bendingFrictionRatios(shape.nodeAreas.size()) {}
+
+void SheetMechanics::evaluate(const WetLaws& laws, const Moisture& moisture) {
+    for (std::size_t n = 0; n < masses.size(); ++n) {
+        masses[n] = laws.mass(shape.nodeAreas[n], moisture.poreMass()[n] + moisture.filmMass()[n]);
+        saturations[n] = moisture.saturation(n);
+        const double content = moisture.content(n);
+        stretchRatios[n] = laws.stretchRatio(content);
+        bendingRatios[n] = laws.bendingRatio(content);
+        bendingFrictionRatios[n] = laws.bendingFrictionRatio(content);
+    }
+}
+
+double SheetMechanics::stiffness(std::size_t link) const {
+    const auto a = static_cast<std::size_t>(shape.links[link].nodes[0]);
+    const auto b = static_cast<std::size_t>(shape.links[link].nodes[1]);
+    const auto& ratios = dryStiffness[link].kind == LinkKind::bending ? bendingRatios : stretchRatios;
+    return dryStiffness[link].dry * 0.5 * (ratios[a] + ratios[b]);
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,46 @@
+// A sheet as whatever moves it needs to know it: its cloth at rest, and what water has made of it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "../water/link_stiffness.h"
+#include "drench/cloth_mesh.h"
+#include "drench/fabric.h"
+#include "drench/moisture.h"
+#include "drench/precision.h"
+#include "drench/wet_laws.h"
+#include "rest_shape.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+class SmallStepSheet;
+
+/// Made by the layer, evaluated at the start of each substep, read by the solvers.
+struct SheetMechanics {
+    SheetMechanics(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh);
+
+    /// Reads masses and the ratios of the wet laws off the water.
+    void evaluate(const WetLaws& laws, const Moisture& moisture);
+    /// Stiffness of a link as of this substep, N/m.
+    double stiffness(std::size_t link) const;
+
+    RestShape shape;
+    const ClothMesh mesh;
+    const double bending;          // bending rigidity of the dry cloth, N m
+    const double bendingFriction;  // of the dry cloth, N
+    std::vector<LinkStiffness> dryStiffness;
+
+    // Of each node, as of this substep.
+    std::vector<double> masses;                 // kg
+    std::vector<double> saturations;            // of the pores, 0 to 1
+    std::vector<double> stretchRatios;          // wet over dry
+    std::vector<double> bendingRatios;          // wet over dry
+    std::vector<double> bendingFrictionRatios;  // wet over dry
+
+    std::shared_ptr<SmallStepSheet> smallSteps;  // where a SmallStepSolver moves the sheet; else none
+};
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench
