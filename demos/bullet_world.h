@@ -1,47 +1,34 @@
-// A plain Bullet world for soft bodies, as an application would set one up.
+// Bullet's plain world for soft bodies.
 #pragma once
 
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
-#include <memory>
-#include <vector>
+#include "scene_world.h"
 
 namespace drench::demo {
 
-/// Owns a world and the rigid bodies in it. Gravity is 9.81 m/s2 downwards (-y).
-class BulletWorld {
+class BulletWorld : public SceneWorld {
   public:
-    BulletWorld();
-    ~BulletWorld();
-    BulletWorld(const BulletWorld&) = delete;
-    BulletWorld& operator=(const BulletWorld&) = delete;
+    /// @param solver  of the soft bodies, which must outlive this; none: Bullet's own
+    explicit BulletWorld(btSoftBodySolver* solver = nullptr);
 
-    btSoftRigidDynamicsWorld& world() { return world_; }
+    btSoftRigidDynamicsWorld& world() override { return world_; }
+    btSoftBodyWorldInfo& worldInfo() override { return world_.getWorldInfo(); }
+    void addSoftBody(btSoftBody& body) override { world_.addSoftBody(&body); }
+    void removeSoftBody(btSoftBody& body) override { world_.removeSoftBody(&body); }
 
-    /// Level ground at a height: the top of a box, since soft bodies float above a plane shape.
-    void addGround(double height);
-
-    /// A ball; it stays where it is if its mass is 0.
-    btRigidBody& addBall(const btVector3& centre, double radius, double mass);
-
-    /// A box along the axes of the world that stays where it is.
-    btRigidBody& addBox(const btVector3& centre, const btVector3& halfExtents);
-
-    /// Steps the world by `frameTime`, in substeps of equal length.
-    void step(double frameTime, int substeps);
+    int substepsFor(double frameTime, double stepBound, int most) const override;
+    void damp(btSoftBody& sheet, double rate, double substep) const override;
+    std::string stepsName() const override;
 
   private:
-    btRigidBody& add(std::unique_ptr<btCollisionShape> shape, const btVector3& position, double mass);
-
     btSoftBodyRigidBodyCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_;
     btDbvtBroadphase broadphase_;
     btSequentialImpulseConstraintSolver constraintSolver_;
     btSoftRigidDynamicsWorld world_;
-    std::vector<std::unique_ptr<btCollisionShape>> shapes_;
-    std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 
 }  // namespace drench::demo

@@ -118,6 +118,7 @@ int runHeadless(Scene& scene, const RunOptions& options) {
 
     scene.report(std::cout);
     writeResult(options, scene, log);
+    writeDrawings(options, scene);
     if (album) album->writeContactSheet();
 
     const auto failures = scene.failures();
@@ -132,6 +133,12 @@ void checkTargets(const RunOptions& options) {
         checkWritable(besideFor(options.csv));
     }
     if (!options.frames.empty()) checkWritable(options.frames / "picture.png");
+}
+
+void writeDrawings(const RunOptions& options, const Scene& scene) {
+    if (options.frames.empty()) return;
+    for (const Drawing& drawing : scene.drawings())
+        writePng(options.frames / (drawing.name + ".png"), drawing.image);
 }
 
 void writeResult(const RunOptions& options, const Scene& scene, const WaterLog& log) {

@@ -30,12 +30,23 @@ CLI::Validator secondsInRange() {
         "FLOAT in [0.02 - 86400]");
 }
 
+/// What the names of --solver and --world mean together.
+void choose(SceneOptions& options, const std::string& solver, const std::string& world) {
+    options.world = world == "deformable" ? WorldKind::deformable : WorldKind::softRigid;
+    options.solver = solver == "stock" ? SolverKind::stock : SolverKind::smallStep;
+    if (options.world == WorldKind::deformable && solver == "small-step")
+        throw CLI::ValidationError("--solver",
+                                   "the deformable world has Bullet's own solver; leave --solver small-step "
+                                   "out, or take --world soft-rigid");
+}
+
 }  // namespace
 
 ParsedOptions parseOptions(int argc, char** argv) {
     ParsedOptions parsed;
     RunOptions& run = parsed.options;
     bool list = false;
+    std::string solver, world;
 
     CLI::App app{"Wet cloth on Bullet soft bodies. Opens a window unless --headless is given.",
                  "drench-demo"};
@@ -56,10 +67,18 @@ ParsedOptions parseOptions(int argc, char** argv) {
     app.add_option("--frames", run.frames, "write pictures (PNG) into this folder");
     app.add_option("--every", run.every, "a picture each so many frames of 1/60 s [the scene's own moments]")
         ->check(CLI::Range(1, 1000000));
+    app.add_option("--solver", solver,
+                   "what moves the sheets: Drench's small steps, or stock Bullet's solver in many substeps "
+                   "[small-step]")
+        ->check(CLI::IsMember({"small-step", "stock"}));
+    app.add_option("--world", world,
+                   "Bullet's soft-rigid world, or its deformable one, with Bullet's own solver [soft-rigid]")
+        ->check(CLI::IsMember({"soft-rigid", "deformable"}));
     app.add_option("--seed", run.sceneOptions.seed, "seed of the random numbers [1]");
 
     try {
         app.parse(argc, argv);
+        choose(run.sceneOptions, solver, world);
         if (list) {
             listScenes();
             parsed.exitStatus = 0;

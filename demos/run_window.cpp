@@ -41,7 +41,7 @@ class WindowRun {
 
   private:
     void restart() {
-        scene_ = sceneByName(options_.scene).make(options_.sceneOptions);
+        scene_ = makeScene(options_.scene, options_.sceneOptions);
         log_ = std::make_unique<WaterLog>(*scene_);
         reported_ = false;
     }
@@ -93,6 +93,7 @@ class WindowRun {
         scene_->report(std::cout);
         std::cout << std::flush;
         writeResult(options_, *scene_, *log_);
+        writeDrawings(options_, *scene_);
     }
 
     viewer::Picture pictureNow() {

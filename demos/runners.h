@@ -22,4 +22,7 @@ void checkTargets(const RunOptions& options);
 /// own, the file holds that, and the water is in a file beside it whose name ends in "-water".
 void writeResult(const RunOptions& options, const Scene& scene, const WaterLog& log);
 
+/// Writes the images that the scene makes itself into the folder for pictures, if the options name one.
+void writeDrawings(const RunOptions& options, const Scene& scene);
+
 }  // namespace drench::demo

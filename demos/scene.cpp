@@ -4,6 +4,7 @@
 
 #include "scenes/clothesline.h"
 #include "scenes/drape.h"
+#include "scenes/drape_meter.h"
 #include "scenes/rain.h"
 #include "scenes/spill.h"
 #include "scenes/ten_steps.h"
@@ -16,28 +17,37 @@ const std::vector<SceneEntry>& scenes() {
         {"ten-steps",
          "a hanging sheet takes up water in ten steps up to saturation; each is measured in still air and "
          "wind",
+         true,
          [](const SceneOptions& options) -> std::unique_ptr<Scene> {
              return std::make_unique<TenSteps>(options);
          }},
-        {"rain", "a sheet half under a roof while it rains",
+        {"rain", "a sheet half under a roof while it rains", false,
          [](const SceneOptions& options) -> std::unique_ptr<Scene> {
              return std::make_unique<HalfUnderRoof>(options);
          }},
-        {"spill", "water poured on the middle of a tablecloth spreads",
+        {"spill", "water poured on the middle of a tablecloth spreads", false,
          [](const SceneOptions& options) -> std::unique_ptr<Scene> {
              return std::make_unique<Spill>(options);
          }},
-        {"drape", "a wet and a dry sheet fall on a ball each",
+        {"drape", "a wet and a dry sheet fall on a ball each", true,
          [](const SceneOptions& options) -> std::unique_ptr<Scene> {
              return std::make_unique<Drape>(options);
          }},
+        {"drape-meter",
+         "a disc of cloth, dry and wet, hangs over a pedestal (Cusick); prints drape coefficient and nodes",
+         false,
+         [](const SceneOptions& options) -> std::unique_ptr<Scene> {
+             return std::make_unique<DrapeMeter>(options);
+         }},
         {"wick",
          "a strip with its foot in water; prints height against time and the fitted Washburn coefficient",
+         false,
          [](const SceneOptions& options) -> std::unique_ptr<Scene> {
              return std::make_unique<Wick>(options);
          }},
         {"clothesline",
          "soaked laundry drips, then dries in time-lapse; CSV of mass, film, pores, dripped, evaporated",
+         false,
          [](const SceneOptions& options) -> std::unique_ptr<Scene> {
              return std::make_unique<Clothesline>(options);
          }},
@@ -52,6 +62,16 @@ const SceneEntry& sceneByName(const std::string& name) {
         known += (known.empty() ? "" : ", ") + entry.name;
     }
     throw std::invalid_argument("no scene named '" + name + "'; there are " + known);
+}
+
+std::unique_ptr<Scene> makeScene(const std::string& name, const SceneOptions& options) {
+    const SceneEntry& entry = sceneByName(name);
+    if (options.world != WorldKind::deformable || entry.runsDeformable) return entry.make(options);
+    std::string able;
+    for (const SceneEntry& each : scenes())
+        if (each.runsDeformable) able += (able.empty() ? "" : ", ") + each.name;
+    throw std::invalid_argument("scene '" + name +
+                                "' does not run in the deformable world; these do: " + able);
 }
 
 }  // namespace drench::demo

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "scene_world.h"
 #include "table.h"
+#include "viewer/image.h"
 #include "viewer/picture.h"
 
 namespace drench::demo {
@@ -20,12 +22,20 @@ struct SceneOptions {
     int resolution = 0;             ///< nodes along the warp; 0: the scene's own
     double seconds = 0;             ///< simulated time after which it ends; 0: the scene's own
     unsigned seed = 1;              ///< of whatever the scene draws by lot
+    WorldKind world = WorldKind::softRigid;
+    SolverKind solver = SolverKind::smallStep;  ///< in the soft-rigid world
 };
 
 /// A sheet of a scene, for the panel.
 struct SceneSheet {
     std::string name;
     WetCloth* cloth;
+};
+
+/// An image that a scene makes itself.
+struct Drawing {
+    std::string name;  ///< of its file, without folder and ending
+    viewer::Image image;
 };
 
 /// An experiment that runs by itself, frame by frame, in a window or without.
@@ -49,6 +59,8 @@ class Scene {
     virtual viewer::Picture picture() const = 0;
     /// At a moment worth keeping, a file name for its picture, without folder and ending.
     virtual std::optional<std::string> moment() const { return std::nullopt; }
+    /// Images of its own that go with the result.
+    virtual std::vector<Drawing> drawings() const { return {}; }
     /// Tells the scene how long a picture took to draw, s.
     virtual void noteDrawTime(double) {}
 
@@ -72,6 +84,7 @@ class Scene {
 struct SceneEntry {
     std::string name;
     std::string description;
+    bool runsDeformable;  ///< also in Bullet's deformable world
     std::unique_ptr<Scene> (*make)(const SceneOptions&);
 };
 
@@ -80,5 +93,9 @@ const std::vector<SceneEntry>& scenes();
 
 /// The scene of that name. @throws std::invalid_argument that lists the names there are.
 const SceneEntry& sceneByName(const std::string& name);
+
+/// Makes the scene of that name.
+/// @throws std::invalid_argument as `sceneByName`, and for a scene that does not run in the world of the options
+std::unique_ptr<Scene> makeScene(const std::string& name, const SceneOptions& options);
 
 }  // namespace drench::demo

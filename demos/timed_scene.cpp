@@ -10,22 +10,23 @@ namespace drench::demo {
 
 TimedScene::TimedScene(const SceneOptions& options, double ownDuration)
     : fabric_(fabrics::byName(options.fabric)),
-      duration_(options.seconds > 0 ? options.seconds : ownDuration) {}
+      duration_(options.seconds > 0 ? options.seconds : ownDuration),
+      bullet_(makeWorld(options.world, options.solver)) {}
 
 double TimedScene::progress() const {
     return std::min(1.0, time_ / duration_);
 }
 
 void TimedScene::chooseSubsteps(double stepBound, int most) {
-    substeps_ = std::clamp(int(std::ceil(frameTime / stepBound)), 1, most);
+    substeps_ = bullet_->substepsFor(frameTime, stepBound, most);
 }
 
 void TimedScene::damp(btSoftBody& sheet, double rate) const {
-    sheet.m_cfg.kDP = btScalar(rate * frameTime / substeps_);
+    bullet_->damp(sheet, rate, frameTime / substeps_);
 }
 
 void TimedScene::stepWorld() {
-    bullet_.step(frameTime, substeps_);
+    bullet_->step(frameTime, substeps_);
     ++frames_;
     time_ = frames_ * frameTime;  // not a sum of frames, whose rounding would add up
 }
@@ -42,10 +43,10 @@ std::string TimedScene::momentName(const std::string& scene) const {
     return name.str();
 }
 
-void TimedScene::reportSubsteps(std::ostream& out, const WetCloth& cloth) const {
-    out << "Substeps per frame of 1/60 s, one sweep each: " << substeps_
-        << "; longest that shows the links' stiffness now: 1/" << std::lround(1 / cloth.stepBound())
-        << " s\n";
+void TimedScene::reportSteps(std::ostream& out, double stepBound) const {
+    out << bullet_->stepsName() << ": " << bullet_->stepsOfFrame(substeps_);
+    if (bullet_->smallSteps() == 0) out << "; longest now: 1/" << std::lround(1 / stepBound) << " s";
+    out << ".\n";
 }
 
 double broughtBy(const Source& source, const WetCloth& cloth) {

@@ -4,10 +4,10 @@
 #include <drench/drench.h>
 
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "bullet_world.h"
 #include "scene.h"
 
 namespace drench::demo {
@@ -23,10 +23,10 @@ class TimedScene : public Scene {
     /// @param ownDuration in seconds, where the options ask for none
     TimedScene(const SceneOptions& options, double ownDuration);
 
-    /// Chooses as many substeps as show the stiffness of links with this step bound, s, but not more than
-    /// `most`.
+    /// Chooses as many substeps as a sheet with this step bound needs, s; where fewer only make links softer,
+    /// not more than `most`.
     void chooseSubsteps(double stepBound, int most);
-    /// Slows a sheet down by a rate, 1/s. Bullet damps per substep, so choose these first.
+    /// Slows a sheet down by a rate, 1/s. Stock Bullet damps per substep, so choose these first.
     void damp(btSoftBody& sheet, double rate) const;
     /// Steps the world, and with it the clock, by one frame.
     void stepWorld();
@@ -37,12 +37,13 @@ class TimedScene : public Scene {
     std::string timeText(int digits) const;
     /// "rain-01500ms"
     std::string momentName(const std::string& scene) const;
-    void reportSubsteps(std::ostream& out, const WetCloth& cloth) const;
+    /// How frames are divided, and the longest substep that a sheet stands, s, where that counts.
+    void reportSteps(std::ostream& out, double stepBound) const;
 
     Fabric fabric_;
     double duration_;       // s
     double windSpeed_ = 0;  // m/s
-    BulletWorld bullet_;
+    std::unique_ptr<SceneWorld> bullet_;
     int substeps_ = 1;  // of a frame
     int frames_ = 0;
     double time_ = 0;  // s

@@ -65,18 +65,18 @@ Clothesline::Clothesline(const SceneOptions& options)
       lightestDrop_(std::numeric_limits<double>::infinity()),
       heaviestDrop_(0) {
     windSpeed_ = 1.5;
-    bullet_.addGround(0);
+    bullet_->addGround(0);
     const Corners corners = flatCorners({btScalar(-width / 2), btScalar(lineHeight), 0},
                                         {btScalar(width), 0, 0}, {0, btScalar(-height), 0});
-    sheet_ = makeSheet(bullet_.world().getWorldInfo(), fabric_, corners, nodesWarp_, nodesWeft_);
-    bullet_.world().addSoftBody(sheet_.get());
+    sheet_ = makeSheet(bullet_->worldInfo(), fabric_, corners, nodesWarp_, nodesWeft_);
+    bullet_->addSoftBody(*sheet_);
     SheetSettings settings;
     settings.waterSpeed = waterSpeed;
-    cloth_ = std::make_unique<WetCloth>(bullet_.world(), *sheet_, fabric_, settings);
+    cloth_ = std::make_unique<WetCloth>(bullet_->world(), *sheet_, fabric_, settings);
     cloth_->air().temperature = temperature;
     cloth_->air().humidity = humidity;
     cloth_->presoak(soaked * fabric_.poreCapacity());
-    drops_ = std::make_unique<FallingDrops>(bullet_.world());
+    drops_ = std::make_unique<FallingDrops>(bullet_->world());
     drops_->add(*cloth_);
     hang();
     adjustSubsteps();
@@ -85,7 +85,7 @@ Clothesline::Clothesline(const SceneOptions& options)
 
 Clothesline::~Clothesline() {
     cloth_.reset();
-    bullet_.world().removeSoftBody(sheet_.get());
+    bullet_->removeSoftBody(*sheet_);
 }
 
 /// Pegs hold two nodes of the upper edge each, a little closer together than it is long, so that the sheet falls into
@@ -119,7 +119,6 @@ double Clothesline::rippleDepth(double column) const {
 /// The lighter the sheet gets, the shorter the substeps that show the stiffness of its links.
 void Clothesline::adjustSubsteps() {
     chooseSubsteps(cloth_->stepBound(), mostSubsteps);
-    mostSubstepsUsed_ = std::max(mostSubstepsUsed_, substeps_);
     damp(*sheet_, restDamping);
 }
 
@@ -129,6 +128,7 @@ void Clothesline::advance() {
     constexpr int framesBetween = 30;
     if (frames_ % framesBetween == 0) adjustSubsteps();
     stepWorld();
+    mostSteps_ = std::max(mostSteps_, bullet_->stepsOfFrame(substeps_));
     fallDrops();
     note();
     dry_ = inBalance();
@@ -312,8 +312,8 @@ void Clothesline::report(std::ostream& out) const {
         out << std::setprecision(0) << ", " << 1e6 * lightestDrop_ << " to " << 1e6 * heaviestDrop_
             << " mg each; " << std::setprecision(1) << 1e3 * samples_.back().caught
             << " g fell on the sheet again";
-    out << ".\nAt most " << mostSubstepsUsed_ << " substeps a frame of 1/60 s. Fabric: " << fabric_.name
-        << ".\n";
+    out << ".\n"
+        << bullet_->stepsName() << ": at most " << mostSteps_ << ". Fabric: " << fabric_.name << ".\n";
     out << std::defaultfloat;
 }
 

@@ -85,7 +85,7 @@ class Clothesline final : public TimedScene {
     std::unique_ptr<WetCloth> cloth_;
     std::unique_ptr<FallingDrops> drops_;
     std::vector<int> pegs_;  // columns in which they sit
-    int mostSubstepsUsed_ = 0;
+    int mostSteps_ = 0;
     bool dry_ = false;
     std::vector<Sample> samples_;
     std::vector<Spot> spots_;

@@ -18,21 +18,21 @@ constexpr double sheetSide = 1.2;    // m
 constexpr double dropHeight = 0.04;  // m, of the sheet above the ball
 constexpr double restDamping = 0.6;  // 1/s
 constexpr int mostSubsteps = 40;     // in single precision shorter ones would lose gravity to rounding
-constexpr double deepestAllowed = 5e-3;
+constexpr double deepestAllowed = 1e-3;
 
 }  // namespace
 
 /// One ball and the sheet on it.
 struct Drape::Side {
     std::string name;
-    btSoftRigidDynamicsWorld& world;
+    SceneWorld& world;
     btRigidBody* ball;
     std::unique_ptr<btSoftBody> sheet;
     std::unique_ptr<WetCloth> cloth;
 
     ~Side() {
         cloth.reset();
-        world.removeSoftBody(sheet.get());
+        world.removeSoftBody(*sheet);
     }
 
     double lowest() const {
@@ -74,12 +74,10 @@ struct Drape::Side {
 
 Drape::Drape(const SceneOptions& options) : TimedScene(options, 3) {
     const int nodes = options.resolution > 0 ? options.resolution : 40;
-    bullet_.addGround(0);
+    bullet_->addGround(0);
     addSide("dry", -0.72, 0, nodes);
     addSide("wet", 0.72, 1, nodes);
-    double bound = frameTime;
-    for (const auto& side : sides_) bound = std::min(bound, side->cloth->stepBound());
-    chooseSubsteps(bound, mostSubsteps);
+    chooseSubsteps(stepBound(), mostSubsteps);
     for (const auto& side : sides_) damp(*side->sheet, restDamping);
     table_.columns = columns();
     table_.columns.insert(table_.columns.begin(), {"time_s", 2});
@@ -87,19 +85,23 @@ Drape::Drape(const SceneOptions& options) : TimedScene(options, 3) {
 
 Drape::~Drape() = default;
 
+double Drape::stepBound() const {
+    return std::min(sides_[0]->cloth->stepBound(), sides_[1]->cloth->stepBound());
+}
+
 void Drape::addSide(const std::string& name, double x, double shareOfSaturation, int nodes) {
-    btRigidBody& ball = bullet_.addBall({btScalar(x), btScalar(ballHeight), 0}, ballRadius, 0);
+    btRigidBody& ball = bullet_->addBall({btScalar(x), btScalar(ballHeight), 0}, ballRadius, 0);
     const double height = ballHeight + ballRadius + dropHeight;
     const Corners corners =
         flatCorners({btScalar(x - sheetSide / 2), btScalar(height), btScalar(-sheetSide / 2)},
                     {btScalar(sheetSide), 0, 0}, {0, 0, btScalar(sheetSide)});
-    auto sheet = makeSheet(bullet_.world().getWorldInfo(), fabric_, corners, nodes, nodes);
-    bullet_.world().addSoftBody(sheet.get());
-    auto cloth = std::make_unique<WetCloth>(bullet_.world(), *sheet, fabric_);
+    auto sheet = makeSheet(bullet_->worldInfo(), fabric_, corners, nodes, nodes);
+    bullet_->addSoftBody(*sheet);
+    auto cloth = std::make_unique<WetCloth>(bullet_->world(), *sheet, fabric_);
     cloth->air().vapourExchange = 0;  // a few seconds of drying would only blur the comparison
     cloth->presoak(shareOfSaturation * fabric_.poreCapacity());
     sides_.push_back(
-        std::unique_ptr<Side>(new Side{name, bullet_.world(), &ball, std::move(sheet), std::move(cloth)}));
+        std::unique_ptr<Side>(new Side{name, *bullet_, &ball, std::move(sheet), std::move(cloth)}));
 }
 
 void Drape::advance() {
@@ -162,11 +164,8 @@ std::vector<SceneSheet> Drape::sheets() {
 
 void Drape::report(std::ostream& out) const {
     print(out, table_);
-    out << "\nSubsteps per frame of 1/60 s, one sweep each: " << substeps_
-        << "; longest that shows the links' stiffness: ";
-    for (const auto& side : sides_)
-        out << side->name << " 1/" << std::lround(1 / side->cloth->stepBound()) << " s  ";
-    out << "\n";
+    out << '\n';
+    reportSteps(out, stepBound());
 }
 
 std::vector<std::string> Drape::failures() const {

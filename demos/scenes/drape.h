@@ -29,6 +29,7 @@ class Drape final : public TimedScene {
   private:
     struct Side;
 
+    double stepBound() const;
     void addSide(const std::string& name, double x, double shareOfSaturation, int nodes);
 
     std::vector<std::unique_ptr<Side>> sides_;

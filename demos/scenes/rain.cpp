@@ -47,13 +47,13 @@ HalfUnderRoof::HalfUnderRoof(const SceneOptions& options)
     : TimedScene(options, settlingTime + 30),
       // An even number, so that the edge of the roof is midway between two rows of nodes.
       nodes_(options.resolution > 0 ? (options.resolution + 1) / 2 * 2 : 40) {
-    bullet_.addGround(0);
+    bullet_->addGround(0);
     constexpr double halfThickness = 0.03, overhang = 0.25;
-    roof_ = &bullet_.addBox(
+    roof_ = &bullet_->addBox(
         {btScalar(-(side / 2 + overhang) / 2), btScalar(height + roofAbove), 0},
         {btScalar((side / 2 + overhang) / 2), btScalar(halfThickness), btScalar(side / 2 + overhang)});
     addSheet(options);
-    drops_ = std::make_unique<FallingDrops>(bullet_.world());
+    drops_ = std::make_unique<FallingDrops>(bullet_->world());
     drops_->add(*cloth_);
     chooseSubsteps(cloth_->stepBound(), mostSubsteps);
     damp(*sheet_, restDamping);
@@ -65,15 +65,15 @@ HalfUnderRoof::HalfUnderRoof(const SceneOptions& options)
 
 HalfUnderRoof::~HalfUnderRoof() {
     cloth_.reset();
-    bullet_.world().removeSoftBody(sheet_.get());
+    bullet_->removeSoftBody(*sheet_);
 }
 
 void HalfUnderRoof::addSheet(const SceneOptions& options) {
     const Corners corners = flatCorners({btScalar(-side / 2), btScalar(height), btScalar(-side / 2)},
                                         {btScalar(side), 0, 0}, {0, 0, btScalar(side)});
-    sheet_ = makeSheet(bullet_.world().getWorldInfo(), fabric_, corners, nodes_, nodes_);
-    bullet_.world().addSoftBody(sheet_.get());
-    cloth_ = std::make_unique<WetCloth>(bullet_.world(), *sheet_, fabric_);
+    sheet_ = makeSheet(bullet_->worldInfo(), fabric_, corners, nodes_, nodes_);
+    bullet_->addSoftBody(*sheet_);
+    cloth_ = std::make_unique<WetCloth>(bullet_->world(), *sheet_, fabric_);
     // Dry cloth takes vapour from the air, also under the roof; sealed off it shows what the rain alone brings.
     cloth_->air().vapourExchange = 0;
     rain_ = &cloth_->add(Rain(0, options.seed));
@@ -253,7 +253,7 @@ void HalfUnderRoof::report(std::ostream& out) const {
     print(out, table_);
     out << "\nThe air is sealed off. deep_share is the water under the roof more than "
         << std::lround(1e3 * (clearOfEdge + 2 * side / (nodes_ - 1))) << " mm from its edge, of all.\n";
-    reportSubsteps(out, *cloth_);
+    reportSteps(out, cloth_->stepBound());
 }
 
 std::vector<std::string> HalfUnderRoof::failures() const {

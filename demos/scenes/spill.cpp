@@ -43,7 +43,7 @@ double Spill::Stain::roundness() const {
 }
 
 Spill::Spill(const SceneOptions& options) : TimedScene(options, 34) {
-    bullet_.addGround(0);
+    bullet_->addGround(0);
     addTable();
     addCloth(options);
     chooseSubsteps(cloth_->stepBound(), mostSubsteps);
@@ -54,13 +54,13 @@ Spill::Spill(const SceneOptions& options) : TimedScene(options, 34) {
 
 Spill::~Spill() {
     cloth_.reset();
-    bullet_.world().removeSoftBody(sheet_.get());
+    bullet_->removeSoftBody(*sheet_);
 }
 
 void Spill::addTable() {
     table_ =
-        &bullet_.addBox({0, btScalar(tableHeight - tableThickness / 2), 0},
-                        {btScalar(tableSide / 2), btScalar(tableThickness / 2), btScalar(tableSide / 2)});
+        &bullet_->addBox({0, btScalar(tableHeight - tableThickness / 2), 0},
+                         {btScalar(tableSide / 2), btScalar(tableThickness / 2), btScalar(tableSide / 2)});
 }
 
 void Spill::addCloth(const SceneOptions& options) {
@@ -68,11 +68,11 @@ void Spill::addCloth(const SceneOptions& options) {
     const Corners corners =
         flatCorners({btScalar(-clothSide / 2), btScalar(tableHeight + dropHeight), btScalar(-clothSide / 2)},
                     {btScalar(clothSide), 0, 0}, {0, 0, btScalar(clothSide)});
-    sheet_ = makeSheet(bullet_.world().getWorldInfo(), fabric_, corners, nodes, nodes);
-    bullet_.world().addSoftBody(sheet_.get());
+    sheet_ = makeSheet(bullet_->worldInfo(), fabric_, corners, nodes, nodes);
+    bullet_->addSoftBody(*sheet_);
     SheetSettings settings;
     settings.waterSpeed = waterSpeed;
-    cloth_ = std::make_unique<WetCloth>(bullet_.world(), *sheet_, fabric_, settings);
+    cloth_ = std::make_unique<WetCloth>(bullet_->world(), *sheet_, fabric_, settings);
     cloth_->air().vapourExchange = 0;
     jug_ = &cloth_->add(Spray({0, tableHeight + jugHeight, 0}, {0, -1, 0}, 0));
     jug_->halfAngle = streamHalfAngle;
@@ -223,7 +223,7 @@ void Spill::report(std::ostream& out) const {
         << " times as fast as the cloth moves. Stained is what is more than a tenth saturated.\nThe jug was "
         << (emptyAt_ > 0 ? "empty" : "not empty") << " after " << std::fixed << std::setprecision(2)
         << std::max(0.0, (emptyAt_ > 0 ? emptyAt_ : time_) - settlingTime) << " s.\n";
-    reportSubsteps(out, *cloth_);
+    reportSteps(out, cloth_->stepBound());
 }
 
 std::vector<std::string> Spill::failures() const {

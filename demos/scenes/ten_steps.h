@@ -4,7 +4,6 @@
 #include <array>
 #include <memory>
 
-#include "../bullet_world.h"
 #include "../scene.h"
 
 namespace drench::demo {
@@ -47,7 +46,7 @@ class TenSteps final : public Scene {
         double albedo;          // mean of the three channels and all nodes
         double simulationRate;  // frames of 1/60 s simulated per second of computing
         double frameRate;       // the same with drawing
-        int substeps;           // a frame
+        int steps;              // a frame: small ones, or substeps
         double imbalance;       // of the ledger, relative to what was supplied
     };
 

@@ -19,7 +19,7 @@ constexpr double length = 0.30;       // m
 constexpr double footHeight = 0.03;   // m, of the strip's lower end above the ground
 constexpr double wantedDepth = 0.01;  // m, of the foot below the water
 constexpr double waterSpeed = 60;
-constexpr int substeps = 4;              // the frame holds the strip, so that nothing moves fast
+constexpr int mostSubsteps = 4;          // the frame holds the strip, so that nothing moves fast
 constexpr double frontLevel = 0.1;       // saturation that counts as wet
 constexpr double finestNeeded = 5.1e-3;  // m, node spacing up to which heights compare with the reference
 constexpr double tolerance = 0.1;        // of heights against the reference
@@ -89,26 +89,26 @@ Wick::Wick(const SceneOptions& options)
       spacing_(length / (nodesWarp_ - 1)) {
     // The topmost wet row is just under the surface, so that heights count from where the water enters.
     depth_ = (std::max(1.0, std::round(wantedDepth / spacing_)) + 0.01) * spacing_;
-    substeps_ = substeps;
-    bullet_.addGround(0);
+    bullet_->addGround(0);
     const Corners corners = flatCorners({btScalar(-width / 2), btScalar(footHeight), 0},
                                         {0, btScalar(length), 0}, {btScalar(width), 0, 0});
-    sheet_ = makeSheet(bullet_.world().getWorldInfo(), fabric_, corners, nodesWarp_, nodesWeft_);
+    sheet_ = makeSheet(bullet_->worldInfo(), fabric_, corners, nodesWarp_, nodesWeft_);
     for (int row = 0; row < nodesWarp_; ++row) {
         sheet_->m_nodes[row].m_im = 0;
         sheet_->m_nodes[row + nodesWarp_ * (nodesWeft_ - 1)].m_im = 0;
     }
-    bullet_.world().addSoftBody(sheet_.get());
+    bullet_->addSoftBody(*sheet_);
     SheetSettings settings;
     settings.waterSpeed = waterSpeed;
-    cloth_ = std::make_unique<WetCloth>(bullet_.world(), *sheet_, fabric_, settings);
+    cloth_ = std::make_unique<WetCloth>(bullet_->world(), *sheet_, fabric_, settings);
     cloth_->air().vapourExchange = 0;
+    chooseSubsteps(cloth_->stepBound(), mostSubsteps);
     cloth_->add(Pool(footHeight + depth_));
 }
 
 Wick::~Wick() {
     cloth_.reset();
-    bullet_.world().removeSoftBody(sheet_.get());
+    bullet_->removeSoftBody(*sheet_);
 }
 
 void Wick::advance() {

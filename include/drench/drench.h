@@ -10,6 +10,7 @@
 #include "drench/ledger.h"
 #include "drench/moisture.h"
 #include "drench/sheet.h"
+#include "drench/small_step_solver.h"
 #include "drench/source.h"
 #include "drench/sources.h"
 #include "drench/water.h"

@@ -118,15 +118,16 @@ void validate(const Fabric& fabric);
 /// Ready fabrics. Every value carries its provenance.
 namespace fabrics {
 
-Fabric cottonPlain();     ///< plain-weave scoured cotton shirting, 150 g/m2
-Fabric polyesterPlain();  ///< plain-weave polyester, 120 g/m2: hardly takes water into its fibres
-Fabric wool();            ///< wool suiting, 200 g/m2: wets slowly
-Fabric linen();           ///< linen, 180 g/m2
-Fabric silk();            ///< silk, 70 g/m2
-Fabric nylonTaffeta();    ///< dense nylon taffeta, 70 g/m2
-Fabric denim();           ///< 11 oz cotton denim, 324 g/m2
+Fabric cottonPlain();        ///< plain-weave scoured cotton shirting, 150 g/m2
+Fabric polyesterPlain();     ///< plain-weave polyester, 120 g/m2: hardly takes water into its fibres
+Fabric polyesterTropical();  ///< polyester suiting, 117 g/m2: its bending and drape are measured
+Fabric wool();               ///< wool suiting, 200 g/m2: wets slowly
+Fabric linen();              ///< linen, 180 g/m2
+Fabric silk();               ///< silk, 70 g/m2
+Fabric nylonTaffeta();       ///< dense nylon taffeta, 70 g/m2
+Fabric denim();              ///< 11 oz cotton denim, 324 g/m2
 
-/// Names that `byName` knows, in the order above: cotton, polyester, wool, linen, silk, nylon, denim.
+/// Names that `byName` knows, in the order above: cotton, polyester, tropical, wool, linen, silk, nylon, denim.
 const std::vector<std::string>& names();
 
 /// The preset of that name. @throws std::invalid_argument that lists the names there are.

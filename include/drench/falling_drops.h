@@ -1,7 +1,7 @@
 // Drops on their way down: from a sheet to another sheet, a body or the ground.
 #pragma once
 
-#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -37,7 +37,8 @@ class FallingDrops {
     };
 
     /// @param world  that the sheets are in; must outlive this
-    explicit FallingDrops(btSoftRigidDynamicsWorld& world);
+    /// @throws std::invalid_argument for a world without soft bodies
+    explicit FallingDrops(btDiscreteDynamicsWorld& world);
     ~FallingDrops();
     FallingDrops(const FallingDrops&) = delete;
     FallingDrops& operator=(const FallingDrops&) = delete;
@@ -66,7 +67,7 @@ class FallingDrops {
     void takeDrops();
     bool land(std::size_t flight, const Eigen::Vector3d& to);
 
-    btSoftRigidDynamicsWorld& world_;
+    btDiscreteDynamicsWorld& world_;
     std::unique_ptr<Sheets> sheets_;
     std::unique_ptr<Origins> origins_;  // where the flights began, one each
     std::vector<Flight> flights_;

@@ -1,6 +1,7 @@
 // The layer: puts water into a btSoftBody and lets it show.
 #pragma once
 
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <BulletSoftBody/btSoftBody.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
@@ -54,12 +55,29 @@ struct SheetSettings {
     Stepping stepping = Stepping::byWorld;
 };
 
+/// How a sheet does mechanically, as of now.
+struct SheetHealth {
+    /// Whether all positions and velocities of the body are finite. If not, the next step throws.
+    bool finite;
+    /// The largest |length / rest length - 1| of a stretch or shear link, 1.
+    double largestStrain;
+    /// How deep the deepest node is in a solid that it touched in the last substep, m; 0 if none is inside.
+    double deepestPenetration;
+    /// `WetCloth::stepBound`, s.
+    double stepBound;
+    /// Small steps of the last substep; 0 where no SmallStepSolver moves the sheet.
+    int smallSteps;
+    /// Substeps, since the WetCloth was made, whose small steps came to something not finite, so that the
+    /// sheet stayed where it was, at rest. 0 but for forces or obstacles beyond all measure.
+    int heldSubsteps;
+};
+
 /// The water of one soft body and what it does to it.
 ///
 /// At the start of each of Bullet's substeps the sources bring their water; it dries, soaks in, wicks, runs
 /// down and drips (see `Moisture::step`); then node masses (with the momentum that the water brought), link
-/// stiffness in N/m and air forces are rewritten from it. A face on a solid body (btSoftBody::m_rcontacts)
-/// does not dry, and nothing drips from a node that lies on one.
+/// stiffness in N/m and air forces are rewritten from it. A face on a solid body (btSoftBody::m_rcontacts,
+/// m_nodeRigidContacts) does not dry, and nothing drips from a node that lies on one.
 ///
 /// What this takes over of the body, and gives back when it ends:
 /// - node masses. Pins (inverse mass 0) stay pins, and may come and go while running;
@@ -68,7 +86,9 @@ struct SheetSettings {
 ///   (randomizeConstraints) while attached;
 /// - the aero model: kDG and kLF are 0 meanwhile;
 /// - the collision shape, replaced by one that knows when the body is deleted. Ask getCollisionShape() for it
-///   each time; its margin and user data carry over.
+///   each time; its margin and user data carry over;
+/// - in the deformable world, collision flags of SDF_RS, which Bullet gives new bodies but does not serve
+///   there: they are SDF_RD | SDF_RDN meanwhile.
 ///
 /// Everything else, user pointer and tags, iterations, damping and contacts, stays the application's.
 ///
@@ -80,6 +100,16 @@ struct SheetSettings {
 /// within a few metres of the origin, substeps below about 1/2000 s lose gravity to rounding; where
 /// `stepBound` is shorter, use double-precision Bullet or a coarser grid, or live with softer links.
 ///
+/// In the deformable world the same calls do the same by a btDeformableLagrangianForce of the layer's: links
+/// and bending have their stiffness in any substep that is allowed, and link constants and iterations play no
+/// part. Gravity is there the application's btDeformableGravityForce, for this body as for any other, and
+/// does not come by itself. Of m_cfg that world heeds kDF, kKHR, kCHR and, in explicit steps, drag (the share
+/// of velocity lost in a substep), and neither kDP nor timescale. Explicit steps (its default) must not be
+/// longer than `stepBound`, and are refused if they are. Implicit ones (setImplicit and setUseProjection, both) may
+/// be as long as 1/60 s for a sheet that hangs free and 1/240 s for one that touches something. In single precision
+/// Bullet's solver stops early, and an implicit substep dt loses up to some 1e-3 k dt^2 / m of the momentum of
+/// a blow, such as a big drop, to a node of mass m.
+///
 /// The layer, the body and the world may end in any order that Bullet itself allows: also after the body was
 /// deleted, or the world, the layer only stops working. One layer a body, and one world a layer: in another
 /// world than its own the body is not stepped by it. Many bodies a world. Not thread-safe: use it from the
@@ -89,16 +119,17 @@ struct SheetSettings {
 class WetCloth {
   public:
     /// Attaches to a body, in the world or not yet in it.
-    /// @param world   that the body is or will be in
+    /// @param world   that the body is or will be in: a btSoftRigidDynamicsWorld, btSoftMultiBodyDynamicsWorld
+    ///                or btDeformableMultiBodyDynamicsWorld
     /// @param sheet   any soft body with faces and links: from `makeSheet`, CreatePatch, CreateFromTriMesh, your own
     /// @param fabric  its cloth; copied
-    /// @throws std::invalid_argument, with the body as it was, for a fabric or setting out of range; a body
-    ///     without faces or links, with clusters or tetrahedra, with a node or link that is not finite, a
-    ///     link of no length, a triangle of no area, two faces or links of the same nodes, or with a WetCloth
-    ///     already; a voxel size of its world info, or a margin, larger than its mean link; a plane shape in
-    ///     the world that its collision filters, once it has any, let it meet; material coordinates that do
-    ///     not fit it.
-    WetCloth(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
+    /// @throws std::invalid_argument, with the body as it was, for a world of another kind; a fabric or setting
+    ///     out of range; a body without faces or links, with clusters or tetrahedra, with a node or link that
+    ///     is not finite, a link of no length, a triangle of no area, two faces or links of the same nodes, or
+    ///     with a WetCloth already; a voxel size of its world info, or a margin, larger than its mean link; a
+    ///     plane shape in the world that its collision filters, once it has any, let it meet; material
+    ///     coordinates that do not fit it.
+    WetCloth(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
              const SheetSettings& settings = {});
     ~WetCloth();
     WetCloth(const WetCloth&) = delete;
@@ -177,8 +208,14 @@ class WetCloth {
     /// Longest substep at which, with piterations = 1, every stretch and shear link has its stiffness, s of
     /// the body's own time: the smallest sqrt(2 / (w k)) over them, with water as it is now and no pins;
     /// infinite if there is none. The free corners of a grid set it; the rest of the sheet allows sqrt(2)
-    /// more.
+    /// more. In the deformable world's explicit steps instead the longest substep that does not blow up,
+    /// wet or dry, in any pose and without pins, which is the longest that is allowed; it stays the same
+    /// while the sheet dries. In its implicit ones, as of the last substep, infinite.
     double stepBound() const;
+
+    /// Looks over all nodes, links and contacts. Once the body has ended, all is 0
+    /// and `finite` is false.
+    SheetHealth health() const;
 
     /// Does the layer's work for a substep of `dt` seconds that is about to begin. Only for `Stepping::byApplication`;
     /// otherwise the world calls it and its errors come out of stepSimulation: Bullet's step is then left undone, other
@@ -188,8 +225,9 @@ class WetCloth {
     /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive
     ///     and finite, air or a source's setting out of range, and whatever a source of your own throws;
     ///     std::runtime_error if a position or velocity of the body, its timescale, the wind or the gravity
-    ///     is not finite, the gravity is over 1e4 m/s2, or if its nodes, links or faces have changed in
-    ///     number. The body is then as before the call; of the sources, those before the one that threw have
+    ///     is not finite, the gravity is over 1e4 m/s2, if its nodes, links or faces have changed in number,
+    ///     or, in the deformable world, for explicit substeps beyond `stepBound` and implicit ones without
+    ///     projection. The body is then as before the call; of the sources, those before the one that threw have
     ///     given.
     void preSubstep(btScalar dt);
 

@@ -14,8 +14,8 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// A collision object whose surface is wet. Where the sheet touches it (btSoftBody::m_rcontacts), the face
-/// between takes up a film of its own as thick as that on the body, with a time constant of 0.1 s (assumed).
+/// A collision object whose surface is wet. Where the sheet touches it (btSoftBody::m_rcontacts, in the
+/// deformable world m_nodeRigidContacts), the face between takes up a film of its own as thick as that on the body, with a time constant of 0.1 s (assumed).
 /// Contacts are those of the last substep.
 class WetBody final : public Source {
   public:
@@ -33,9 +33,10 @@ class WetBody final : public Source {
 };
 
 /// Two sheets that touch, by Bullet's own contacts between soft bodies (btSoftBody::m_scontacts: both need
-/// fCollision::VF_SS among their m_cfg.collisions). Water passes between a node and the face that it touches
-/// until pores are equally full, with the slower of the two wetting times, and the films equally thick, with
-/// 0.1 s (both assumed). Faces that touch do not dry. Add it to one of the two.
+/// fCollision::VF_SS among their m_cfg.collisions; in the deformable world m_faceNodeContacts and VF_DD). Water
+/// passes between a node and the face that it touches until pores are equally full, with the slower of the two
+/// wetting times, and the films equally thick, with 0.1 s (both assumed). Faces that touch do not dry. Add it to
+/// one of the two.
 class Touch final : public Source {
   public:
     /// @param other  sheet, in the same world; when it is gone, nothing passes any more

@@ -29,14 +29,27 @@ AirForces::AirForces(const RestShape& shape) : nodeAreas_(shape.nodeAreas), node
 
 void AirForces::add(btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics,
                     double dt) {
+    evaluate(body, laws, air, mechanics, dt);
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        body.m_nodes[n].m_f += nodes_[static_cast<std::size_t>(n)].force;
+}
+
+void AirForces::push(btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics,
+                     double dt) {
+    evaluate(body, laws, air, mechanics, dt);
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        body.m_nodes[n].m_v +=
+            nodes_[static_cast<std::size_t>(n)].force * (body.m_nodes[n].m_im * btScalar(dt));
+}
+
+void AirForces::evaluate(const btSoftBody& body, const WetLaws& laws, const Air& air,
+                         const SheetMechanics& mechanics, double dt) {
     gather(body, laws, air, mechanics);
     const AirDrag drag = laws.drag(0);  // of its members only the permeability depends on the water
     for (const Face& face : faces_) {
         const btVector3 share = faceForce(face, drag, btScalar(dt)) / 3;
         for (const int node : face.nodes) nodes_[static_cast<std::size_t>(node)].force += share;
     }
-    for (int n = 0; n < body.m_nodes.size(); ++n)
-        body.m_nodes[n].m_f += nodes_[static_cast<std::size_t>(n)].force;
 }
 
 void AirForces::gather(const btSoftBody& body, const WetLaws& laws, const Air& air,

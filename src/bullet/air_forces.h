@@ -26,6 +26,10 @@ class AirForces {
     void add(btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics,
              double dt);
 
+    /// The same as a change of the nodes' velocities, for a world that ignores forces on nodes.
+    void push(btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics,
+              double dt);
+
   private:
     struct Node {
         btVector3 position;
@@ -39,6 +43,8 @@ class AirForces {
         btScalar restArea;  // m2
     };
 
+    void evaluate(const btSoftBody& body, const WetLaws& laws, const Air& air,
+                  const SheetMechanics& mechanics, double dt);
     void gather(const btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics);
     btVector3 faceForce(const Face& face, const AirDrag& drag, btScalar dt) const;
 

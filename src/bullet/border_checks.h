@@ -1,8 +1,8 @@
 // What a layer refuses to attach to, and why.
 #pragma once
 
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletSoftBody/btSoftBody.h>
-#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
 #include "drench/cloth_mesh.h"
 #include "drench/precision.h"

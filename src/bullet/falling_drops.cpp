@@ -9,6 +9,7 @@
 #include <string>
 
 #include "layer.h"
+#include "soft_world.h"
 #include "vectors.h"
 
 namespace drench {
@@ -76,8 +77,8 @@ struct FallingDrops::Origins {
     std::vector<Origin> all;
 };
 
-FallingDrops::FallingDrops(btSoftRigidDynamicsWorld& world)
-    : world_(world), sheets_(std::make_unique<Sheets>()), origins_(std::make_unique<Origins>()) {}
+FallingDrops::FallingDrops(btDiscreteDynamicsWorld& world)
+    : world_(checkedSoftWorld(world)), sheets_(std::make_unique<Sheets>()), origins_(std::make_unique<Origins>()) {}
 
 FallingDrops::~FallingDrops() = default;
 
@@ -106,7 +107,7 @@ void FallingDrops::step(double dt) {
                                     " s; give a finite time of at least 0 s");
     takeDrops();
     landed_.clear();
-    const Eigen::Vector3d gravity = toEigen(world_.getWorldInfo().m_gravity);
+    const Eigen::Vector3d gravity = toEigen(worldInfoOf(world_).m_gravity);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < flights_.size(); ++i) {
         Flight flight = flights_[i];

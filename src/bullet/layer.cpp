@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "border_checks.h"
+#include "contacts.h"
 #include "drench/drying.h"
 #include "drench/water.h"
 #include "link_constants.h"
@@ -78,9 +80,9 @@ std::vector<Eigen::Vector2d> nodeCoordinates(const ClothMesh& mesh) {
 
 }  // namespace
 
-WetCloth::Layer::Layer(btSoftRigidDynamicsWorld& aWorld, btSoftBody& sheet, const Fabric& fabric,
+WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const Fabric& fabric,
                        const SheetSettings& settings)
-    : world(aWorld),
+    : world(checkedSoftWorld(aWorld)),
       body(sheet),
       stepping(settings.stepping),
       waterSpeed(checkedWaterSpeed(settings.waterSpeed)),
@@ -102,15 +104,26 @@ WetCloth::Layer::Layer(btSoftRigidDynamicsWorld& aWorld, btSoftBody& sheet, cons
     mechanics.evaluate(laws, moisture);
     writeMasses(body, mechanics.masses);
     body.updateLinkConstants();  // fit for the masses, until the first substep brings those of the fabric
+    if (isDeformable(world))
+        deformable = std::make_unique<DeformableSheet>(world, body, mechanics, dryMasses(),
+                                                       std::max(1.0, double(fabric.wetStretchRatio)),
+                                                       std::max(1.0, double(fabric.wetBendingRatio)));
     if (stepping == Stepping::byWorld) listenToPreTick(world, *this);
 }
 
 WetCloth::Layer::~Layer() {
     if (stepping == Stepping::byWorld) stopListeningToPreTick(world, *this);
-    if (!watch.bodyIsAlive()) return;
-    std::vector<double> dryMasses;
-    for (const double area : mesh.areas) dryMasses.push_back(laws.mass(area, 0));
-    taken.giveBack(body, dryMasses);
+    const bool bodyIsAlive = watch.bodyIsAlive();
+    if (bodyIsAlive) taken.giveBack(body, dryMasses());
+    if (!deformable) return;
+    if (bodyIsAlive) deformable->giveBack(body);
+    deformable->end(bodyIsAlive ? &body : nullptr);
+}
+
+std::vector<double> WetCloth::Layer::dryMasses() const {
+    std::vector<double> masses;
+    for (const double area : mesh.areas) masses.push_back(laws.mass(area, 0));
+    return masses;
 }
 
 std::size_t WetCloth::Layer::checkedNode(int node) const {
@@ -132,7 +145,7 @@ std::vector<double> WetCloth::Layer::spread(double massPerArea) const {
 
 bool WetCloth::Layer::isInWorld() const {
     if (!watch.bodyIsAlive()) return false;
-    const auto& bodies = world.getSoftBodyArray();
+    const auto& bodies = softBodiesOf(world);
     return bodies.findLinearSearch(&body) != bodies.size();
 }
 
@@ -204,7 +217,7 @@ void WetCloth::Layer::substep(btScalar dt) {
     checkBeforeStep(dt);
     keepPrimed(body, mechanics.shape);
     taken.silenceAero(body);
-    const double bodyStep = double(dt) * double(body.m_cfg.timescale);
+    const double bodyStep = bodyStepOf(dt);
     time += bodyStep;
 
     pose.gatherHeights(body, surroundings.heights);
@@ -214,6 +227,11 @@ void WetCloth::Layer::substep(btScalar dt) {
     collectDrops();
     takeUpMomentum(body, mechanics.masses, arrivals);
     writeBack(bodyStep);
+}
+
+/// The deformable world knows no timescale.
+double WetCloth::Layer::bodyStepOf(btScalar dt) const {
+    return deformable ? double(dt) : double(dt) * double(body.m_cfg.timescale);
 }
 
 void WetCloth::Layer::supply(double waterTime) {
@@ -242,12 +260,11 @@ void WetCloth::Layer::touchSolids() {
     constexpr double lasting = 0.1;  // s
     constexpr double fromBelow = 0.5;
     const btVector3 upwards = toBullet(pose.up);
-    for (int i = 0; i < body.m_rcontacts.size(); ++i) {
-        const btSoftBody::RContact& found = body.m_rcontacts[i];
-        Contact& contact = contacts[static_cast<std::size_t>(indexOf(body, found.m_node))];
+    forEachSolidContact(body, [&](const btSoftBody::Node* node, const btSoftBody::sCti& found) {
+        Contact& contact = contacts[static_cast<std::size_t>(indexOf(body, node))];
         touchedUntil = contact.touchesUntil = time + lasting;
-        if (double(found.m_cti.m_normal.dot(upwards)) > fromBelow) contact.liesUntil = time + lasting;
-    }
+        if (double(found.m_normal.dot(upwards)) > fromBelow) contact.liesUntil = time + lasting;
+    });
     if (touchedUntil < time) return;
     constexpr double oneFace = 0.5;
     for (std::size_t n = 0; n < contacts.size(); ++n) {
@@ -279,7 +296,7 @@ void WetCloth::Layer::collectDrops() {
     }
 }
 
-void WetCloth::Layer::checkBeforeStep(btScalar dt) const {
+void WetCloth::Layer::checkBeforeStep(btScalar dt) {
     if (!(dt > 0) || !std::isfinite(dt))
         throw std::invalid_argument("drench: a substep of " + std::to_string(dt) +
                                     " s; give a positive finite time");
@@ -312,12 +329,19 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) const {
                 " has a position or velocity that is not finite; a force or an obstacle of the "
                 "application has blown the sheet up before this substep");
     }
+    if (deformable) deformable->check(world, double(dt));
 }
 
 void WetCloth::Layer::writeBack(double bodyStep) {
     mechanics.evaluate(laws, moisture);
     writeMasses(body, mechanics.masses);
-    writeLinkConstants(body, mechanics, bodyStep);
+    if (deformable) {
+        if (body.isActive()) airForces.push(body, laws, air, mechanics, bodyStep);
+        deformable->write(body);
+        return;
+    }
+    // A SmallStepSolver reads the mechanics itself; Bullet's takes them from the links.
+    if (!std::exchange(mechanics.movedBySmallSteps, false)) writeLinkConstants(body, mechanics, bodyStep);
     // Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
     if (body.isActive()) airForces.add(body, laws, air, mechanics, bodyStep);
 }

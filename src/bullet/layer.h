@@ -1,8 +1,8 @@
 // Everything behind a WetCloth.
 #pragma once
 
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <BulletSoftBody/btSoftBody.h>
-#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
 #include <Eigen/Core>
 #include <deque>
@@ -13,6 +13,7 @@
 #include "account_supply.h"
 #include "air_forces.h"
 #include "body_watch.h"
+#include "deformable_sheet.h"
 #include "drench/drop.h"
 #include "drench/moisture.h"
 #include "drench/source.h"
@@ -30,7 +31,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// One sheet in one world, in the order of the step.
 struct WetCloth::Layer final : PreTickListener {
-    Layer(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
+    Layer(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
           const SheetSettings& settings);
     ~Layer();
     Layer(const Layer&) = delete;
@@ -54,6 +55,7 @@ struct WetCloth::Layer final : PreTickListener {
     };
 
     std::size_t checkedNode(int node) const;
+    std::vector<double> dryMasses() const;
     std::vector<double> spread(double massPerArea) const;
     void add(std::unique_ptr<Source> source);
     void remove(const Source& source);
@@ -65,15 +67,16 @@ struct WetCloth::Layer final : PreTickListener {
 
     void preTick(btScalar dt) override;
     void substep(btScalar dt);
-    void checkBeforeStep(btScalar dt) const;
+    void checkBeforeStep(btScalar dt);
+    double bodyStepOf(btScalar dt) const;
     void supply(double waterTime);
     void touchSolids();
     void moveWater(double waterTime);
     void collectDrops();
     void writeBack(double bodyStep);
 
-    btSoftRigidDynamicsWorld& world;  // known to exist during its own pre-tick only
-    btSoftBody& body;                 // exists while the watch says so
+    btDiscreteDynamicsWorld& world;  // known to exist during its own pre-tick only
+    btSoftBody& body;                // exists while the watch says so
     const Stepping stepping;
     const double waterSpeed;
     int objectsChecked = 0;  // collision objects in the world when it was last looked through for planes
@@ -89,6 +92,7 @@ struct WetCloth::Layer final : PreTickListener {
     TakenOver taken;
     RigidShelter shelter;
     AirForces airForces;
+    std::unique_ptr<DeformableSheet> deformable;  // where the world is deformable; else none
 
     AccountSupply application;  // for water that the application adds itself
     std::vector<Supplier> suppliers;

@@ -25,7 +25,8 @@ void prime(btSoftBody& body) {
 
 void keepPrimed(btSoftBody& body, const RestShape& shape) {
     // Bullet makes the tree while it primes, which it no longer does.
-    const bool wantsFaceTree = (body.m_cfg.collisions & btSoftBody::fCollision::VF_SS) != 0;
+    using Collision = btSoftBody::fCollision;
+    const bool wantsFaceTree = (body.m_cfg.collisions & (Collision::VF_SS | Collision::SDF_RD)) != 0;
     if (wantsFaceTree && body.m_fdbvt.empty()) body.initializeFaceTree();
 
     if (!body.m_bUpdateRtCst) return;

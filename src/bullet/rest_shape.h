@@ -31,8 +31,8 @@ inline int indexOf(const btSoftBody& body, const btSoftBody::Node* node) {
 void prime(btSoftBody& body);
 
 /// Makes Bullet forget a request to prime the body again, which setMass leaves behind and which would take
-/// the stretched links of the moment for rest; and makes the face tree that soft-soft contacts need, which
-/// comes with priming.
+/// the stretched links of the moment for rest; and makes the face tree that soft-soft contacts, and all in
+/// the deformable world, need, which comes with priming.
 void keepPrimed(btSoftBody& body, const RestShape& shape);
 
 /// Read from what Bullet keeps, or, for a body that still waits to be primed, from where its nodes are.

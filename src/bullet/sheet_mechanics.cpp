@@ -8,6 +8,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 SheetMechanics::SheetMechanics(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh)
     : shape(std::move(restShape)),
       mesh(std::move(clothMesh)),
+      stretch(0.5 * (fabric.stretchWarp + fabric.stretchWeft)),
       bending(fabric.bending),
       bendingFriction(fabric.bendingFriction),
       dryStiffness(linkStiffness(fabric, mesh, shape.links)),

@@ -15,7 +15,7 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-class SmallStepSheet;
+struct MovingSheet;
 
 /// Made by the layer, evaluated at the start of each substep, read by the solvers.
 struct SheetMechanics {
@@ -28,6 +28,7 @@ struct SheetMechanics {
 
     RestShape shape;
     const ClothMesh mesh;
+    const double stretch;          // stretch stiffness of the dry cloth, mean of warp and weft, N/m
     const double bending;          // bending rigidity of the dry cloth, N m
     const double bendingFriction;  // of the dry cloth, N
     std::vector<LinkStiffness> dryStiffness;
@@ -39,7 +40,11 @@ struct SheetMechanics {
     std::vector<double> bendingRatios;          // wet over dry
     std::vector<double> bendingFrictionRatios;  // wet over dry
 
-    std::shared_ptr<SmallStepSheet> smallSteps;  // where a SmallStepSolver moves the sheet; else none
+    // Of a SmallStepSolver, once one has met the sheet.
+    std::shared_ptr<MovingSheet> moving;
+    bool movedBySmallSteps = false;  // in the last substep
+    int smallSteps = 0;              // of the last substep
+    int heldSubsteps = 0;            // that came to nothing finite
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "health.h"
 #include "layer.h"
 #include "link_constants.h"
 #include "vectors.h"
@@ -13,7 +14,7 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-WetCloth::WetCloth(btSoftRigidDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
+WetCloth::WetCloth(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
                    const SheetSettings& settings)
     : layer_(std::make_shared<Layer>(world, sheet, fabric, settings)) {}
 
@@ -105,6 +106,7 @@ const std::vector<Eigen::Vector2d>& WetCloth::materialCoordinates() const {
 }
 
 double WetCloth::stepBound() const {
+    if (layer_->deformable) return layer_->deformable->stepBound();
     const SheetMechanics& mechanics = layer_->mechanics;
     double bound = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < mechanics.shape.links.size(); ++i) {
@@ -114,6 +116,14 @@ double WetCloth::stepBound() const {
         bound = std::min(bound, std::sqrt(resolvedStiffness / (inverseMass * mechanics.stiffness(i))));
     }
     return bound;
+}
+
+SheetHealth WetCloth::health() const {
+    if (!layer_->watch.bodyIsAlive()) return {};
+    const btSoftBody& body = layer_->body;
+    const SheetMechanics& mechanics = layer_->mechanics;
+    return {isFinite(body), largestStrain(body, mechanics), deepestPenetration(body),
+            stepBound(),    mechanics.smallSteps,           mechanics.heldSubsteps};
 }
 
 void WetCloth::preSubstep(btScalar dt) {

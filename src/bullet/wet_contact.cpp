@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../water/checks.h"
+#include "contacts.h"
 #include "drench/water.h"
 #include "layer.h"
 
@@ -33,17 +34,16 @@ void WetBody::supply(const SheetPose& sheet, double dt, Supply& supply) {
     if (!sheet.body) return;
     const auto& body = *static_cast<const btSoftBody*>(sheet.body);
     const double share = -std::expm1(-dt / filmTime);
-    for (int i = 0; i < body.m_rcontacts.size(); ++i) {
-        const btSoftBody::RContact& contact = body.m_rcontacts[i];
-        if (contact.m_cti.m_colObj != body_ || !isNodeOf(body, contact.m_node)) continue;
-        const auto node = static_cast<std::size_t>(indexOf(body, contact.m_node));
-        if (!(sheet.mesh.areas[node] > 0)) continue;
+    forEachSolidContact(body, [&](const btSoftBody::Node* touching, const btSoftBody::sCti& contact) {
+        if (contact.m_colObj != body_ || !isNodeOf(body, touching)) return;
+        const auto node = static_cast<std::size_t>(indexOf(body, touching));
+        if (!(sheet.mesh.areas[node] > 0)) return;
         const double ofOneFace = sheet.filmMass[node] / 2;
         const double missing = waterDensity * sheet.mesh.areas[node] * filmThickness - ofOneFace;
         const double mass = std::min(std::max(missing, 0.0) * share, amount);
         supply.addFilm(node, mass);
         amount -= mass;
-    }
+    });
 }
 
 Touch::Touch(WetCloth& other) : other_(other.layer_) {}
@@ -93,16 +93,16 @@ void Touch::findPairs(const btSoftBody& here, const btSoftBody& there) {
     pairs_.clear();
     for (const btSoftBody* nodes : {&here, &there}) {
         const btSoftBody& faces = nodes == &here ? there : here;
-        for (int i = 0; i < nodes->m_scontacts.size(); ++i) {
-            const btSoftBody::SContact& contact = nodes->m_scontacts[i];
-            if (!isNodeOf(*nodes, contact.m_node) || !isFaceOf(faces, contact.m_face)) continue;
-            const auto node = static_cast<std::size_t>(indexOf(*nodes, contact.m_node));
+        forEachSoftContact(*nodes, [&](const btSoftBody::Node* touching, const btSoftBody::Face* face,
+                                       const btVector3& weights) {
+            if (!isNodeOf(*nodes, touching) || !isFaceOf(faces, face)) return;
+            const auto node = static_cast<std::size_t>(indexOf(*nodes, touching));
             for (int corner = 0; corner < 3; ++corner) {
-                const auto at = static_cast<std::size_t>(indexOf(faces, contact.m_face->m_n[corner]));
-                const double weight = std::clamp(double(contact.m_weights[corner]), 0.0, 1.0);
+                const auto at = static_cast<std::size_t>(indexOf(faces, face->m_n[corner]));
+                const double weight = std::clamp(double(weights[corner]), 0.0, 1.0);
                 pairs_.push_back(nodes == &here ? Pair{node, at, weight} : Pair{at, node, weight});
             }
-        }
+        });
     }
 }
 

@@ -128,6 +128,24 @@ Fabric polyesterPlain() {
     return fabric;
 }
 
+Fabric polyesterTropical() {
+    constexpr const char* likePlain = "as polyester plain";
+    Fabric fabric = polyesterPlain();
+    // Only what was measured on this very cloth is measured.
+    for (const FabricParameter& parameter : fabricParameters()) {
+        Quantity& quantity = fabric.*parameter.member;
+        if (quantity.provenance != Provenance::textbook) quantity = assumed(quantity, likePlain);
+    }
+    fabric.name = "polyester tropical";
+    fabric.arealDensity = measured(0.1165, matsudaira);
+    fabric.thickness = measured(0.340e-3, matsudaira);
+    fabric.fibreDensity = measured(1390, mortonHearle);
+    fabric.regain = measured(0.004, mortonHearle);
+    fabric.bending = measured(7.55e-6, matsudaira);
+    fabric.bendingFriction = measured(1.42e-4, matsudaira);
+    return fabric;
+}
+
 Fabric wool() {
     Fabric fabric;
     fabric.name = "wool";
@@ -270,9 +288,14 @@ struct Preset {
     Fabric (*make)();
 };
 
-constexpr Preset presets[] = {
-    {"cotton", cottonPlain}, {"polyester", polyesterPlain}, {"wool", wool},  {"linen", linen},
-    {"silk", silk},          {"nylon", nylonTaffeta},       {"denim", denim}};
+constexpr Preset presets[] = {{"cotton", cottonPlain},
+                              {"polyester", polyesterPlain},
+                              {"tropical", polyesterTropical},
+                              {"wool", wool},
+                              {"linen", linen},
+                              {"silk", silk},
+                              {"nylon", nylonTaffeta},
+                              {"denim", denim}};
 
 }  // namespace
 

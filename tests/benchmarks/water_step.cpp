@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+#include "machine.h"
+
 namespace {
 std::size_t allocations = 0;  // through operator new, by anyone; one thread
 }
@@ -206,31 +208,6 @@ void waterStep(benchmark::State& state, const Case& which, double copyBandwidth)
     state.counters["bandwidth_share"] =
         Counter(bytes * nodes / copyBandwidth, Counter::kIsIterationInvariantRate);
     state.counters["allocations"] = double(allocated);
-}
-
-/// "AMD EPYC (2 cores)"; neither commas nor quotes, so that a table can hold it as it is.
-std::string machine() {
-    std::string model = "unknown processor", line;
-    for (std::ifstream file("/proc/cpuinfo"); std::getline(file, line);)
-        if (const std::size_t colon = line.find(": ");
-            line.rfind("model name", 0) == 0 && colon != std::string::npos) {
-            model = line.substr(colon + 2);
-            break;
-        }
-    for (const char c : {',', '"'}) model.erase(std::remove(model.begin(), model.end(), c), model.end());
-    return model + " (" + std::to_string(benchmark::CPUInfo::Get().num_cpus) + " cores)";
-}
-
-std::string compiler() {
-#if defined(__clang__)
-    return "clang " + std::to_string(__clang_major__) + "." + std::to_string(__clang_minor__);
-#elif defined(__GNUC__)
-    return "g++ " + std::to_string(__GNUC__) + "." + std::to_string(__GNUC_MINOR__);
-#elif defined(_MSC_VER)
-    return "MSVC " + std::to_string(_MSC_VER);
-#else
-    return "unknown compiler";
-#endif
 }
 
 /// Shows medians as they come, and keeps them for the table.

@@ -4,6 +4,7 @@
 #include <BulletSoftBody/btSoftBodyHelpers.h>
 #include <drench/drench.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -69,8 +70,115 @@ class FreeSheet {
     std::unique_ptr<WetCloth> cloth_;
 };
 
+/// A world whose sheets a SmallStepSolver moves, and the sheets and their cloth, which leave it before it goes.
+class SmallStepWorld {
+  public:
+    explicit SmallStepWorld(const SmallSteps& steps = {}) : solver_(steps), bullet_(&solver_) {}
+    ~SmallStepWorld() {
+        cloths_.clear();
+        for (const auto& body : bodies_) bullet_.world().removeSoftBody(body.get());
+    }
+    SmallStepWorld(const SmallStepWorld&) = delete;
+    SmallStepWorld& operator=(const SmallStepWorld&) = delete;
+
+    SmallStepSolver& solver() { return solver_; }
+    demo::BulletWorld& bullet() { return bullet_; }
+    btSoftRigidDynamicsWorld& world() { return bullet_.world(); }
+    btSoftBodyWorldInfo& info() { return bullet_.world().getWorldInfo(); }
+
+    /// For rigid and soft bodies.
+    void setGravity(const btVector3& gravity) {
+        world().setGravity(gravity);
+        info().m_gravity = gravity;
+    }
+
+    btSoftBody& add(std::unique_ptr<btSoftBody> body) {
+        world().addSoftBody(body.get());
+        bodies_.push_back(std::move(body));
+        return *bodies_.back();
+    }
+    WetCloth& cover(btSoftBody& body, const Fabric& fabric, const SheetSettings& settings = {}) {
+        cloths_.push_back(std::make_unique<WetCloth>(world(), body, fabric, settings));
+        return *cloths_.back();
+    }
+
+    /// Runs for so long in frames of `frameTime`, each one substep of Bullet's.
+    void run(double time, double frameTime = 1.0 / 60) {
+        const auto frames = static_cast<int>(std::lround(time / frameTime));
+        for (int i = 0; i < frames; ++i) bullet_.step(frameTime, 1);
+    }
+
+  private:
+    SmallStepSolver solver_;
+    demo::BulletWorld bullet_;
+    std::vector<std::unique_ptr<btSoftBody>> bodies_;
+    std::vector<std::unique_ptr<WetCloth>> cloths_;
+};
+
+/// Settings of a WetCloth whose work the test leaves undone after the first: no air, and water that stays.
+inline SheetSettings withoutAir() {
+    SheetSettings settings;
+    settings.stepping = Stepping::byApplication;
+    return settings;
+}
+
+/// A level square sheet around (0, height, 0); warp along x, weft along z.
+inline std::unique_ptr<btSoftBody> levelSheet(btSoftBodyWorldInfo& info, const Fabric& fabric, double side,
+                                              int nodes, double height) {
+    return makeSheet(info, fabric,
+                     flatCorners({btScalar(-side / 2), btScalar(height), btScalar(-side / 2)},
+                                 {btScalar(side), 0, 0}, {0, 0, btScalar(side)}),
+                     nodes, nodes);
+}
+
+inline void setVelocity(btSoftBody& body, const btVector3& velocity) {
+    for (int n = 0; n < body.m_nodes.size(); ++n) body.m_nodes[n].m_v = velocity;
+}
+
 inline double mass(const btSoftBody::Node& node) {
     return node.m_im > 0 ? 1 / double(node.m_im) : 0.0;
+}
+
+/// Momentum of the nodes that are free, kg m/s.
+inline btVector3 momentum(const btSoftBody& body) {
+    btVector3 sum(0, 0, 0);
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        sum += body.m_nodes[n].m_v * btScalar(mass(body.m_nodes[n]));
+    return sum;
+}
+
+/// Mass of the nodes that are free, kg.
+inline double mass(const btSoftBody& body) {
+    double sum = 0;
+    for (int n = 0; n < body.m_nodes.size(); ++n) sum += mass(body.m_nodes[n]);
+    return sum;
+}
+
+inline double fastest(const btSoftBody& body) {
+    double speed = 0;
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        speed = std::max(speed, double(body.m_nodes[n].m_v.length()));
+    return speed;
+}
+
+inline double lowest(const btSoftBody& body) {
+    double height = 1e9;
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        height = std::min(height, double(body.m_nodes[n].m_x.y()));
+    return height;
+}
+
+/// Of stretch and shear links, the mean of |length / rest length - 1|.
+inline double meanStrain(const btSoftBody& body) {
+    double sum = 0;
+    int counted = 0;
+    for (int i = 0; i < body.m_links.size(); ++i) {
+        const btSoftBody::Link& link = body.m_links[i];
+        if (link.m_bbending) continue;
+        sum += std::abs(double((link.m_n[1]->m_x - link.m_n[0]->m_x).length() / link.m_rl) - 1);
+        ++counted;
+    }
+    return sum / counted;
 }
 
 inline bool isFinite(const btSoftBody& body) {

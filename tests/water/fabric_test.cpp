@@ -19,7 +19,7 @@ std::string refusalOf(const Fabric& fabric) {
 }
 
 TEST(Fabric, PresetsAreValidAndSayWhereTheirNumbersComeFrom) {
-    ASSERT_EQ(fabrics::names().size(), 7u);
+    ASSERT_EQ(fabrics::names().size(), 8u);
     for (const std::string& name : fabrics::names()) {
         const Fabric fabric = fabrics::byName(name);
         EXPECT_EQ(refusalOf(fabric), "") << name;

@@ -1,0 +1,50 @@
+#include "scene_world.h"
+
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+
+#include "bullet_world.h"
+#include "deformable_world.h"
+#include "small_step_world.h"
+
+namespace drench::demo {
+
+void SceneWorld::addGround(double height) {
+    constexpr double thickness = 2;
+    const btVector3 halfExtents(50, btScalar(thickness / 2), 50);
+    add(std::make_unique<btBoxShape>(halfExtents), {0, btScalar(height - thickness / 2), 0}, 0);
+}
+
+btRigidBody& SceneWorld::addBall(const btVector3& centre, double radius, double mass) {
+    return add(std::make_unique<btSphereShape>(btScalar(radius)), centre, mass);
+}
+
+btRigidBody& SceneWorld::addBox(const btVector3& centre, const btVector3& halfExtents) {
+    return add(std::make_unique<btBoxShape>(halfExtents), centre, 0);
+}
+
+btRigidBody& SceneWorld::add(std::unique_ptr<btCollisionShape> shape, const btVector3& position,
+                             double mass) {
+    btVector3 inertia(0, 0, 0);
+    if (mass > 0) shape->calculateLocalInertia(btScalar(mass), inertia);
+    btRigidBody::btRigidBodyConstructionInfo info(btScalar(mass), nullptr, shape.get(), inertia);
+    info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), position);
+    bodies_.push_back(std::make_unique<btRigidBody>(info));
+    shapes_.push_back(std::move(shape));
+    world().addRigidBody(bodies_.back().get());
+    return *bodies_.back();
+}
+
+void SceneWorld::step(double frameTime, int substeps) {
+    const btScalar substep = btScalar(frameTime / substeps);
+    constexpr int variableStep = 0;
+    for (int i = 0; i < substeps; ++i) world().stepSimulation(substep, variableStep);
+}
+
+std::unique_ptr<SceneWorld> makeWorld(WorldKind kind, SolverKind solver, const SmallSteps& steps) {
+    if (kind == WorldKind::deformable) return std::make_unique<DeformableWorld>();
+    if (solver == SolverKind::smallStep) return std::make_unique<SmallStepWorld>(steps);
+    return std::make_unique<BulletWorld>();
+}
+
+}  // namespace drench::demo

@@ -1,0 +1,79 @@
+// A solver for Bullet's soft-body worlds in which cloth has its weight.
+#pragma once
+
+#include <BulletSoftBody/btDefaultSoftBodySolver.h>
+
+#include <memory>
+
+#include "drench/precision.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+/// How a SmallStepSolver divides Bullet's substeps.
+struct SmallSteps {
+    /// Small steps in each substep, 1 to 1000. 0, the default: as many as `stretchTolerance` asks for.
+    int count = 0;
+
+    /// Mean strain that a hanging sheet may show beyond its own, 1; 1e-5 to 1. Default 0.01. A link that a
+    /// step of h seconds is too long for acts as soft as m / h^2, m the mass of a node. Under its own weight a
+    /// sheet of height H, link length l, areal density rho and stretch stiffness c then strains on average
+    /// by g H / 2 (h^2 / l^2 - rho / c) too much, so the step is h = l sqrt(2 tolerance / (g H) + rho / c),
+    /// and at most a quarter of the substep. An estimate: of sheets hung by points or loaded otherwise, and
+    /// of all sheets in a world the shortest step counts.
+    double stretchTolerance = 0.01;
+
+    /// Whether nodes are tethered to the nearest pin (Kim et al. 2012, "Long range attachments"), so that fine
+    /// sheets hold together in few steps. A tether is as long as the way to the pin through the links, longer
+    /// by what the sheet's own weight stretches it (1.5 times an estimate in which the load is spread evenly
+    /// at each distance from the pins) and by `stretchTolerance`. It pulls the node only; pins feel nothing.
+    /// Sheets without pins have none. Default false.
+    bool tethers = false;
+};
+
+/// Moves the sheets of WetCloths in many small steps, each of one sweep, inside each of Bullet's substeps
+/// (Macklin et al. 2019, "Small steps in physics simulation"): one long substep of the world, with Bullet's
+/// collision detection once, is then as good as that many substeps. Links have the fabric's stiffness in N/m,
+/// triangles its bending rigidity and bending friction, all as wet as they are; contacts are Coulomb's.
+///
+///     drench::SmallStepSolver solver;
+///     btSoftRigidDynamicsWorld world(&dispatcher, &broadphase, &constraints, &configuration, &solver);
+///
+/// It must outlive the world. All other soft bodies, and sheets with pose matching (m_pose.m_bframe and kMT),
+/// go Bullet's own way.
+///
+/// Of a sheet's own settings: m_cfg.kDP is the share of its velocity that it loses per second (a rate, 1/s;
+/// stock Bullet takes it per substep); kDF x the other's friction is the friction coefficient; the margin is
+/// the distance at which cloth rests on things; piterations, kVCF, kCHR, kKHR, kSHR, kAHR and material
+/// stiffness play no part; m_f, gravity of the world info, pins, anchors with their influence, and soft
+/// contacts count as ever. Links that WetCloth counts as bending are left out, as the triangles bend. Solids
+/// that are dynamic feel the cloth: the impulses of a substep add to their velocity at its end. m_rcontacts
+/// holds, after the step, what was touched in it.
+class SmallStepSolver final : public btDefaultSoftBodySolver {
+  public:
+    /// @throws std::invalid_argument for a count or tolerance out of range
+    explicit SmallStepSolver(const SmallSteps& settings = {});
+    ~SmallStepSolver() override;
+    SmallStepSolver(const SmallStepSolver&) = delete;
+    SmallStepSolver& operator=(const SmallStepSolver&) = delete;
+
+    const SmallSteps& settings() const;
+    /// Small steps of the last substep; 0 before the first, or without sheets.
+    int steps() const;
+    /// The loops in use: "AVX2", "baseline vectors" or "scalar".
+    const char* kernels() const;
+
+    // What Bullet calls.
+    void predictMotion(btScalar substep) override;
+    void solveConstraints(btScalar substep) override;
+    void updateSoftBodies() override;
+    void processCollision(btSoftBody* body, const btCollisionObjectWrapper* solid) override;
+    void processCollision(btSoftBody* body, btSoftBody* other) override;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,23 @@
+// A sheet that small steps move, with what it meets, while a substep lasts.
+#pragma once
+
+#include "drench/precision.h"
+#include "sheet_anchors.h"
+#include "small_step_sheet.h"
+#include "solid_contacts.h"
+#include "tethers.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+struct MovingSheet {
+    explicit MovingSheet(const SheetMechanics& mechanics) : cloth(mechanics, bestKernels()) {}
+
+    SmallStepSheet cloth;
+    SolidContacts contacts;
+    SheetAnchors anchors;
+    Tethers tethers;
+};
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

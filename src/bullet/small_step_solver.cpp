@@ -1,0 +1,295 @@
+#include "drench/small_step_solver.h"
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <BulletSoftBody/btSoftBody.h>
+#include <LinearMath/btAabbUtil2.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "body_watch.h"
+#include "moving_sheet.h"
+#include "sheet_mechanics.h"
+#include "soft_contacts.h"
+#include "solids.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+const SmallSteps& checked(const SmallSteps& settings) {
+    if (settings.count < 0 || settings.count > 1000)
+        throw std::invalid_argument("drench: SmallSteps::count is " + std::to_string(settings.count) +
+                                    "; give 1 to 1000, or 0 to have it chosen");
+    if (!(settings.stretchTolerance >= 1e-5 && settings.stretchTolerance <= 1))
+        throw std::invalid_argument("drench: SmallSteps::stretchTolerance is " +
+                                    std::to_string(settings.stretchTolerance) + "; give 1e-5 to 1");
+    return settings;
+}
+
+/// The mechanics of a body that small steps move; none for those that go Bullet's own way.
+SheetMechanics* mechanicsOf(btSoftBody& body) {
+    if (body.m_pose.m_bframe && body.m_cfg.kMT > 0) return nullptr;
+    return BodyWatch::mechanicsOf(body);
+}
+
+/// The same once small steps have begun to move the body in this substep.
+SheetMechanics* movedHere(btSoftBody& body) {
+    SheetMechanics* const mechanics = mechanicsOf(body);
+    return mechanics && mechanics->moving && mechanics->movedBySmallSteps ? mechanics : nullptr;
+}
+
+/// The members that Bullet's own predictMotion leaves for others to read.
+void writeStepState(btSoftBody& body, btScalar substep) {
+    body.m_sst.sdt = substep * body.m_cfg.timescale;
+    body.m_sst.isdt = 1 / body.m_sst.sdt;
+    body.m_sst.velmrg = body.m_sst.sdt * 3;
+    body.m_sst.radmrg = body.getCollisionShape()->getMargin();
+    body.m_sst.updmrg = body.m_sst.radmrg * btScalar(0.25);
+}
+
+/// Widens the bounds of a sheet by solids that come at it so fast that Bullet, which sees only where they are,
+/// would tell of them when they are inside.
+class SolidsToCome final : public btBroadphaseAabbCallback {
+  public:
+    SolidsToCome(btVector3& low, btVector3& high, btScalar substep)
+        : low_(low), high_(high), substep_(substep) {}
+
+    bool process(const btBroadphaseProxy* proxy) override {
+        const auto* const object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
+        const btRigidBody* const body = movingBody(*object);
+        if (!body) return true;
+        const btVector3 motion = body->getLinearVelocity() * substep_;
+        btVector3 from = proxy->m_aabbMin + motion, to = proxy->m_aabbMax + motion;
+        from.setMin(proxy->m_aabbMin);
+        to.setMax(proxy->m_aabbMax);
+        if (!TestAabbAgainstAabb2(from, to, low_, high_)) return true;
+        low_.setMin(proxy->m_aabbMax);
+        high_.setMax(proxy->m_aabbMin);
+        return true;
+    }
+
+  private:
+    btVector3& low_;
+    btVector3& high_;
+    btScalar substep_;
+};
+
+/// Bounds for the broadphase around where the nodes are and might come.
+void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
+    btVector3 low = body.m_nodes[0].m_x, high = low;
+    for (std::size_t n = 0; n < cloth.size(); ++n) {
+        const btVector3& from = body.m_nodes[static_cast<int>(n)].m_x;
+        const btVector3 to = from + vectorOf(cloth.reach(n));
+        low.setMin(from);
+        low.setMin(to);
+        high.setMax(from);
+        high.setMax(to);
+    }
+    const btScalar margin = 2 * body.getCollisionShape()->getMargin();
+    body.m_bounds[0] = low - btVector3(margin, margin, margin);
+    body.m_bounds[1] = high + btVector3(margin, margin, margin);
+    if (!body.getBroadphaseHandle()) return;
+    btBroadphaseInterface& broadphase = *body.m_worldInfo->m_broadphase;
+    constexpr auto everywhere = btScalar(1e18);
+    SolidsToCome solids(body.m_bounds[0], body.m_bounds[1], body.m_sst.sdt);
+    broadphase.aabbTest({-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere},
+                        solids);
+    broadphase.setAabb(body.getBroadphaseHandle(), body.m_bounds[0], body.m_bounds[1],
+                       body.m_worldInfo->m_dispatcher);
+}
+
+/// Readies the trees and the node states in which Bullet looks for contacts of soft bodies, so that it finds
+/// those that may come within the substep: around each node it looks twice as far as from m_x to m_q.
+void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth) {
+    const btScalar margin = body.getCollisionShape()->getMargin();
+    ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
+    btScalar farthest = 0;
+    for (std::size_t n = 0; n < cloth.size(); ++n) {
+        btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        const btVector3 motion = vectorOf(cloth.reach(n));
+        const btScalar length = motion.length();
+        farthest = std::max(farthest, length);
+        node.m_q = node.m_x - motion / 2;
+        volume = btDbvtVolume::FromCR(node.m_x, margin + length);
+        body.m_ndbvt.update(node.m_leaf, volume);
+    }
+    for (int f = 0; f < body.m_faces.size(); ++f) {
+        btSoftBody::Face& face = body.m_faces[f];
+        if (!face.m_leaf) continue;
+        const btVector3* corners[] = {&face.m_n[0]->m_x, &face.m_n[1]->m_x, &face.m_n[2]->m_x};
+        volume = btDbvtVolume::FromPoints(corners, 3);
+        volume.Expand(btVector3(margin + farthest, margin + farthest, margin + farthest));
+        body.m_fdbvt.update(face.m_leaf, volume);
+    }
+    body.m_ndbvt.optimizeIncremental(1);
+    body.m_fdbvt.optimizeIncremental(1);
+}
+
+}  // namespace
+
+struct SmallStepSolver::State {
+    explicit State(const SmallSteps& theSettings) : settings(checked(theSettings)) {}
+
+    struct Solving {
+        btSoftBody* body;
+        SheetMechanics* mechanics;
+        MovingSheet* sheet;
+    };
+
+    void predict(btSoftBody& body, SheetMechanics& mechanics, btScalar substep);
+    int chooseSteps() const;
+    void begin(btScalar substep);
+    void smallStep();
+    void finish(btScalar substep);
+
+    const SmallSteps settings;
+    Solids solids;
+    SoftContacts softContacts;
+    std::vector<Solving> sheets;  // during a solve
+    std::vector<SoftContacts::Sheet> softSheets;
+    int steps = 0;
+};
+
+SmallStepSolver::SmallStepSolver(const SmallSteps& settings) : state_(std::make_unique<State>(settings)) {}
+
+SmallStepSolver::~SmallStepSolver() = default;
+
+const SmallSteps& SmallStepSolver::settings() const {
+    return state_->settings;
+}
+
+int SmallStepSolver::steps() const {
+    return state_->steps;
+}
+
+const char* SmallStepSolver::kernels() const {
+    return bestKernels().name;
+}
+
+void SmallStepSolver::predictMotion(btScalar substep) {
+    state_->solids.clear();
+    state_->softContacts.clear();
+    for (int i = 0; i < m_softBodySet.size(); ++i) {
+        btSoftBody& body = *m_softBodySet[i];
+        if (!body.isActive()) continue;
+        if (SheetMechanics* const mechanics = mechanicsOf(body))
+            state_->predict(body, *mechanics, substep);
+        else
+            body.predictMotion(substep);
+    }
+}
+
+void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics, btScalar substep) {
+    if (!mechanics.moving) mechanics.moving = std::make_shared<MovingSheet>(mechanics);
+    mechanics.movedBySmallSteps = true;
+    MovingSheet& sheet = *mechanics.moving;
+    writeStepState(body, substep);
+    if (body.m_cfg.kPR != 0 || body.m_cfg.kVC > 0) body.applyForces();
+    sheet.cloth.begin(body, mechanics, double(body.m_sst.sdt));
+    sheet.contacts.clear();
+    while (body.m_rcontacts.size() > 0) body.m_rcontacts.pop_back();
+    body.m_scontacts.resize(0);
+    writeBounds(body, sheet.cloth);
+    if (body.m_cfg.collisions & btSoftBody::fCollision::VF_SS) prepareSoftContacts(body, sheet.cloth);
+}
+
+void SmallStepSolver::processCollision(btSoftBody* body, const btCollisionObjectWrapper* solid) {
+    SheetMechanics* const mechanics = movedHere(*body);
+    if (!mechanics) return btDefaultSoftBodySolver::processCollision(body, solid);
+    using Collision = btSoftBody::fCollision;
+    if ((body->m_cfg.collisions & Collision::RVSmask) != Collision::SDF_RS || !body->isActive()) return;
+    MovingSheet& sheet = *mechanics->moving;
+    sheet.contacts.find(*body, sheet.cloth, *solid, double(body->m_sst.sdt), state_->solids);
+}
+
+void SmallStepSolver::processCollision(btSoftBody* body, btSoftBody* other) {
+    const int first = body->m_scontacts.size(), firstOfOther = other->m_scontacts.size();
+    btDefaultSoftBodySolver::processCollision(body, other);
+    if (!movedHere(*body) && !movedHere(*other)) return;
+    const btScalar margin = body->getCollisionShape()->getMargin() + other->getCollisionShape()->getMargin();
+    state_->softContacts.take(*body, first, margin);
+    state_->softContacts.take(*other, firstOfOther, margin);
+}
+
+void SmallStepSolver::solveConstraints(btScalar substep) {
+    state_->sheets.clear();
+    for (int i = 0; i < m_softBodySet.size(); ++i) {
+        btSoftBody& body = *m_softBodySet[i];
+        if (!body.isActive()) continue;
+        if (SheetMechanics* const mechanics = movedHere(body))
+            state_->sheets.push_back({&body, mechanics, mechanics->moving.get()});
+        else
+            body.solveConstraints();
+    }
+    state_->steps = state_->sheets.empty() ? 0 : state_->chooseSteps();
+    if (state_->steps == 0) return;
+    state_->begin(substep);
+    for (int step = 0; step < state_->steps; ++step) state_->smallStep();
+    state_->finish(substep);
+}
+
+void SmallStepSolver::updateSoftBodies() {
+    for (int i = 0; i < m_softBodySet.size(); ++i) {
+        btSoftBody& body = *m_softBodySet[i];
+        if (!body.isActive()) continue;
+        if (const SheetMechanics* const mechanics = movedHere(body))
+            mechanics->moving->cloth.writeNormals(body);
+        else
+            body.integrateMotion();
+    }
+}
+
+int SmallStepSolver::State::chooseSteps() const {
+    if (settings.count > 0) return settings.count;
+    constexpr int fewest = 4;
+    int most = fewest;
+    for (const Solving& each : sheets)
+        most = std::max(most, each.sheet->cloth.wantedSteps(*each.mechanics, settings.stretchTolerance));
+    return (most + fewest - 1) / fewest * fewest;  // so that plates may be solved less often
+}
+
+void SmallStepSolver::State::begin(btScalar substep) {
+    for (const Solving& each : sheets) each.sheet->anchors.find(*each.body, solids);
+    solids.begin(double(substep));
+    softSheets.clear();
+    for (const Solving& each : sheets) {
+        each.sheet->cloth.divide(*each.mechanics, steps);
+        softSheets.push_back({each.body, &each.sheet->cloth});
+        each.sheet->contacts.begin(*each.body, each.sheet->cloth, solids);
+        each.sheet->anchors.begin(*each.body, each.sheet->cloth, solids);
+        if (settings.tethers)
+            each.sheet->tethers.begin(*each.body, *each.mechanics, settings.stretchTolerance);
+    }
+    softContacts.begin(softSheets, double(substep), steps);
+}
+
+void SmallStepSolver::State::smallStep() {
+    solids.advance(sheets[0].sheet->cloth.smallStep());
+    softContacts.advance();
+    for (const Solving& each : sheets) {
+        each.sheet->cloth.advance();
+        each.sheet->cloth.solveCloth();
+        if (settings.tethers) each.sheet->tethers.solve(each.sheet->cloth);
+        each.sheet->anchors.solve(each.sheet->cloth, solids);
+    }
+    softContacts.solve();
+    for (const Solving& each : sheets) each.sheet->contacts.solve(each.sheet->cloth, solids);
+}
+
+void SmallStepSolver::State::finish(btScalar substep) {
+    for (const Solving& each : sheets) {
+        if (!each.sheet->cloth.finish(*each.body)) ++each.mechanics->heldSubsteps;
+        each.mechanics->smallSteps = steps;
+        each.sheet->contacts.finish(*each.body, each.sheet->cloth, solids, double(substep));
+    }
+    solids.finish();
+    softContacts.finish();
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,174 @@
+#include "solid_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rest_shape.h"
+#include "solid_distance.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+/// A box that may hold points.
+struct Bounds {
+    btVector3 low, high;
+
+    void grow(btScalar by) {
+        low -= btVector3(by, by, by);
+        high += btVector3(by, by, by);
+    }
+    bool meets(const btVector3& from, const btVector3& to) const {
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::max(from[axis], to[axis]) < low[axis] || std::min(from[axis], to[axis]) > high[axis])
+                return false;
+        return true;
+    }
+};
+
+/// How far the solid itself may come towards a node within the substep.
+btVector3 ownMotion(const btCollisionObject& object, const btVector3& point, double substep) {
+    const btRigidBody* const body = movingBody(object);
+    if (!body) return {0, 0, 0};
+    return body->getVelocityInLocalPoint(point - body->getCenterOfMassPosition()) * btScalar(substep);
+}
+
+}  // namespace
+
+void SolidContacts::clear() {
+    contacts_.clear();
+    places_.clear();
+}
+
+void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const btCollisionObjectWrapper& solid,
+                         double substep, Solids& solids) {
+    const btCollisionObject& object = *solid.getCollisionObject();
+    if (!object.hasContactResponse()) return;
+    const btScalar margin = body.getCollisionShape()->getMargin();
+    Bounds bounds;
+    solid.getCollisionShape()->getAabb(solid.getWorldTransform(), bounds.low, bounds.high);
+    const btVector3 centre = (bounds.low + bounds.high) / 2;
+    const btScalar motion = ownMotion(object, centre, substep).length();
+    bounds.grow(2 * margin + motion + sheet.farthestReach());
+
+    const btTransform shapeInSolid = object.getWorldTransform().inverseTimes(solid.getWorldTransform());
+    const auto friction = float(body.m_cfg.kDF * object.getFriction());
+    std::size_t index = 0;
+    bool met = false;
+    for (std::size_t n = 0; n < sheet.size(); ++n) {
+        const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        const btVector3 reach = vectorOf(sheet.reach(n));
+        if (!bounds.meets(node.m_x, node.m_x + reach) || !(node.m_im > 0) || node.m_battach) continue;
+        const SurfacePoint surface = nearestSurface(*solid.getCollisionShape(), solid.getWorldTransform(),
+                                                    node.m_x, body.m_worldInfo->m_sparsesdf);
+        // Its neighbours may pull a node on further than it would go by itself.
+        const btVector3 approach = reach - ownMotion(object, node.m_x, substep);
+        const btScalar slack = margin + approach.length();
+        if (surface.distance > margin + slack + std::max(btScalar(0), -approach.dot(surface.normal)))
+            continue;
+        if (!met) index = solids.indexOf(object);
+        met = true;
+        contacts_.push_back({static_cast<int>(n), {}, 0, friction, false});
+        const btVector3 point = node.m_x - surface.normal * surface.distance;
+        places_.push_back({index, solid.getCollisionShape(), shapeInSolid, point, surface.normal, btVector3(0, 0, 0), 0});
+    }
+}
+
+void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids) {
+    const btScalar margin = body.getCollisionShape()->getMargin();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        Contact& contact = contacts_[i];
+        Place& place = places_[i];
+        const Solid& solid = solids[place.solid];
+        const btVector3& start = body.m_nodes[contact.node].m_x;
+        if (solid.isMoving()) follow(place, body, start, solid);
+        place.arm = place.point - solid.end().getOrigin();
+        place.response = solid.response(place.arm, place.normal);
+        for (int axis = 0; axis < 3; ++axis) contact.normal[axis] = float(place.normal[axis]);
+        contact.gap = float(place.normal.dot(start - place.point) - margin);
+
+        const auto n = static_cast<std::size_t>(contact.node);
+        const btScalar inside = -(btScalar(contact.gap) +
+                                  place.normal.dot(vectorOf(sheet.moved(n)) - solid.displacement(place.arm)));
+        if (inside <= 0) continue;
+        // Lifted without a velocity of its own, and not farther than the cloth's margin at once; what is left
+        // waits for the next substep.
+        const btScalar lifted = std::min(inside, margin);
+        sheet.place(n, place.normal * lifted);
+        contact.gap += float(inside - lifted);
+    }
+}
+
+void SolidContacts::follow(Place& place, const btSoftBody& body, const btVector3& start,
+                           const Solid& solid) const {
+    // As the node sees it from there, not turned with the solid: a ball that spins in one place stays the same.
+    const SurfacePoint surface = nearestSurface(*place.shape, solid.end() * place.shapeInSolid,
+                                                start + solid.path(), body.m_worldInfo->m_sparsesdf);
+    place.normal = surface.normal;
+    place.point = start + solid.path() - surface.normal * surface.distance;
+}
+
+void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        Contact& contact = contacts_[i];
+        const auto n = static_cast<std::size_t>(contact.node);
+        const MovingNode& node = sheet.moved(n);
+        const float* const normal = contact.normal;
+        Solid& solid = solids[places_[i].solid];
+        const btVector3 displacement = solid.displacement(places_[i].arm);
+        const float gap = contact.gap + normal[0] * (node.x - float(displacement.x())) +
+                          normal[1] * (node.y - float(displacement.y())) +
+                          normal[2] * (node.z - float(displacement.z()));
+        if (gap >= 0) continue;
+        contact.touched = true;
+        hold(sheet, contact, places_[i], solid, -gap);
+    }
+}
+
+void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const Place& place, Solid& solid,
+                         float depth) const {
+    const auto n = static_cast<std::size_t>(contact.node);
+    const auto smallStep = btScalar(sheet.smallStep());
+    MovingNode& node = sheet.moved(n);
+    const btVector3 normal(btScalar(contact.normal[0]), btScalar(contact.normal[1]),
+                           btScalar(contact.normal[2]));
+    const auto inverseMass = btScalar(node.inverseMass);
+    const btScalar push = btScalar(depth) / (inverseMass + place.response);
+    const btVector3 slip = sheet.step(n) - solid.step(place.arm, smallStep);
+    const btVector3 along = slip - normal * slip.dot(normal);
+    const btScalar length = along.length(), most = btScalar(contact.friction) * push;
+    btVector3 total = normal * push;
+    if (length > SIMD_EPSILON * smallStep)
+        total -= along * (std::min(most, length / (inverseMass + place.response)) / length);
+    shift(node, total * inverseMass);
+    solid.push(place.arm, -total, smallStep);
+}
+
+void SolidContacts::finish(btSoftBody& body, const SmallStepSheet& sheet, const Solids& solids,
+                           double substep) const {
+    (void)sheet;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const Contact& contact = contacts_[i];
+        if (!contact.touched) continue;
+        const Place& place = places_[i];
+        const Solid& solid = solids[place.solid];
+        btSoftBody::RContact found;
+        btSoftBody::Node& node = body.m_nodes[contact.node];
+        found.m_cti.m_colObj = &solid.object();
+        found.m_cti.m_normal = place.normal;
+        found.m_cti.m_offset = -place.normal.dot(place.point) - body.getCollisionShape()->getMargin();
+        found.m_node = &node;
+        found.m_c0.setIdentity();
+        found.m_c1 = place.arm;
+        found.m_c2 = node.m_im * btScalar(substep);
+        found.m_c3 = btScalar(contact.friction);
+        found.m_c4 = 1;
+        found.t1.setZero();
+        found.t2.setZero();
+        body.m_rcontacts.push_back(found);
+    }
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

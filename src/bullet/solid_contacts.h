@@ -1,0 +1,65 @@
+// Where a sheet meets solids: found once a substep, solved in each small step.
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletSoftBody/btSoftBody.h>
+
+#include <vector>
+
+#include "drench/precision.h"
+#include "small_step_sheet.h"
+#include "solids.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+/// Each contact is a plane, moving with the solid, on the side of which its node stays: the tangent plane at the
+/// surface point nearest to the node as the substep begins. So a node never passes a convex solid, however
+/// fast or thin. Nodes that might reach a solid within the substep count too.
+class SolidContacts {
+  public:
+    void clear();
+
+    /// Looks for nodes of a sheet that might touch a solid within the substep.
+    void find(btSoftBody& body, const SmallStepSheet& sheet, const btCollisionObjectWrapper& solid,
+              double substep, Solids& solids);
+
+    /// Places the planes for the substep, and lifts nodes out of solids that they start in.
+    void begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids);
+
+    /// Keeps nodes on their side, against Coulomb friction along the planes.
+    void solve(SmallStepSheet& sheet, Solids& solids);
+
+    /// Tells the body what it has touched, in m_rcontacts.
+    void finish(btSoftBody& body, const SmallStepSheet& sheet, const Solids& solids, double substep) const;
+
+  private:
+    struct Contact {
+        int node;
+        float normal[3];
+        float gap;       // between the node at its start and the plane at the solid's end, m
+        float friction;  // coefficient, 1
+        bool touched;
+    };
+    /// What only few of the contacts need, of the same index.
+    struct Place {
+        std::size_t solid;
+        const btCollisionShape* shape;
+        btTransform shapeInSolid;
+        btVector3 point;   // of the plane, as the substep begins; then as it ends
+        btVector3 normal;  // likewise
+        btVector3 arm;     // of the point, from the solid's centre of mass, as the substep ends
+        btScalar response;
+    };
+
+    /// Moves the plane to where the solid is as the substep ends.
+    void follow(Place& place, const btSoftBody& body, const btVector3& start, const Solid& solid) const;
+    void hold(SmallStepSheet& sheet, const Contact& contact, const Place& place, Solid& solid,
+              float depth) const;
+
+    std::vector<Contact> contacts_;
+    std::vector<Place> places_;
+};
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,68 @@
+#include "solid_distance.h"
+
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+
+#include <algorithm>
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+const btVector3 anyDirection(0, 1, 0);
+
+/// Seen from a centre or an axis that the surface surrounds at `radius`.
+SurfacePoint around(const btVector3& offset, btScalar radius) {
+    const btScalar length = offset.length();
+    return {length - radius, length > SIMD_EPSILON ? offset / length : anyDirection};
+}
+
+SurfacePoint ofCapsule(const btCapsuleShape& capsule, const btVector3& point) {
+    const int axis = capsule.getUpAxis();
+    const btScalar half = capsule.getHalfHeight();
+    btVector3 offset = point;
+    offset[axis] -= std::clamp(point[axis], -half, half);
+    return around(offset, capsule.getRadius());
+}
+
+SurfacePoint ofBox(const btBoxShape& box, const btVector3& point) {
+    const btVector3 half = box.getHalfExtentsWithMargin();
+    btVector3 outside(0, 0, 0);
+    int nearest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        outside[axis] = point[axis] - std::clamp(point[axis], -half[axis], half[axis]);
+        if (std::abs(point[axis]) - half[axis] > std::abs(point[nearest]) - half[nearest]) nearest = axis;
+    }
+    if (!outside.isZero()) return around(outside, 0);
+    btVector3 normal(0, 0, 0);
+    normal[nearest] = point[nearest] < 0 ? btScalar(-1) : btScalar(1);
+    return {std::abs(point[nearest]) - half[nearest], normal};
+}
+
+}  // namespace
+
+SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& transform,
+                            const btVector3& point, btSparseSdf<3>& field) {
+    const btVector3 local = transform.invXform(point);
+    SurfacePoint found;
+    switch (shape.getShapeType()) {
+        case SPHERE_SHAPE_PROXYTYPE:
+            found = around(local, static_cast<const btSphereShape&>(shape).getRadius());
+            break;
+        case BOX_SHAPE_PROXYTYPE:
+            found = ofBox(static_cast<const btBoxShape&>(shape), local);
+            break;
+        case CAPSULE_SHAPE_PROXYTYPE:
+            found = ofCapsule(static_cast<const btCapsuleShape&>(shape), local);
+            break;
+        default:
+            found.distance = field.Evaluate(local, &shape, found.normal, 0);
+    }
+    found.normal = transform.getBasis() * found.normal;
+    return found;
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,23 @@
+// How far a point is from a solid.
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletSoftBody/btSparseSDF.h>
+
+#include "drench/precision.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+struct SurfacePoint {
+    btScalar distance;  // m; negative inside
+    btVector3 normal;   // outwards, of unit length
+};
+
+/// The nearest surface of a solid's shape: exact for spheres, boxes and capsules, by Bullet's distance field,
+/// as fine as its voxels, for the rest.
+SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& transform,
+                            const btVector3& point, btSparseSdf<3>& field);
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,92 @@
+#include "solids.h"
+
+#include <LinearMath/btTransformUtil.h>
+
+#include <algorithm>
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+btRigidBody* rigidBody(const btCollisionObject& object) {
+    // Bullet hands out solids as constants, and has them pushed all the same.
+    return btRigidBody::upcast(const_cast<btCollisionObject*>(&object));
+}
+
+}  // namespace
+
+const btRigidBody* movingBody(const btCollisionObject& object) {
+    const btRigidBody* const body = btRigidBody::upcast(&object);
+    // Kinematic bodies are often flagged static as well.
+    return body && (body->isKinematicObject() || !body->isStaticObject()) ? body : nullptr;
+}
+
+void Solid::begin(double substep) {
+    substep_ = remaining_ = btScalar(substep);
+    const btRigidBody* const body = movingBody(*object_);
+    if (!body) return;
+    velocity_ = body->getLinearVelocity();
+    spin_ = body->getAngularVelocity();
+    if (body->isKinematicObject()) return;
+    linearFactor_ = body->getLinearFactor();
+    angularFactor_ = body->getAngularFactor();
+    inverseMass_ = body->getInvMass();
+    inverseInertia_ = body->getInvInertiaTensorWorld();
+}
+
+void Solid::advance(double smallStep) {
+    remaining_ = std::max(btScalar(0), remaining_ - btScalar(smallStep));
+    shift_ += addedVelocity_ * btScalar(smallStep);
+    turn_ += addedSpin_ * btScalar(smallStep);
+}
+
+void Solid::finish() {
+    if (addedVelocity_.isZero() && addedSpin_.isZero()) return;
+    btRigidBody* const body = rigidBody(*object_);
+    body->setLinearVelocity(body->getLinearVelocity() + addedVelocity_);
+    body->setAngularVelocity(body->getAngularVelocity() + addedSpin_);
+    btTransform place;
+    btTransformUtil::integrateTransform(body->getWorldTransform(), shift_, turn_, 1, place);
+    body->setCenterOfMassTransform(place);
+    body->activate();
+}
+
+btScalar Solid::response(const btVector3& arm, const btVector3& direction) const {
+    if (!isMovable()) return 0;
+    const btVector3 lever = arm.cross(direction);
+    return inverseMass_ * direction.dot(direction * linearFactor_) +
+           lever.dot(inverseInertia_ * lever * angularFactor_);
+}
+
+void Solid::push(const btVector3& arm, const btVector3& push, btScalar smallStep) {
+    if (!isMovable()) return;
+    const btVector3 move = push * linearFactor_ * inverseMass_,
+                    turn = inverseInertia_ * arm.cross(push) * angularFactor_;
+    shift_ += move;
+    turn_ += turn;
+    addedVelocity_ += move / smallStep;
+    addedSpin_ += turn / smallStep;
+}
+
+std::size_t Solids::indexOf(const btCollisionObject& object) {
+    for (std::size_t i = 0; i < solids_.size(); ++i)
+        if (&solids_[i].object() == &object) return i;
+    solids_.emplace_back(object);
+    return solids_.size() - 1;
+}
+
+void Solids::begin(double substep) {
+    for (Solid& solid : solids_) solid.begin(substep);
+}
+
+void Solids::advance(double smallStep) {
+    for (Solid& solid : solids_) solid.advance(smallStep);
+}
+
+void Solids::finish() {
+    for (Solid& solid : solids_) solid.finish();
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

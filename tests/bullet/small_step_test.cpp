@@ -1,0 +1,223 @@
+// Whether a SmallStepSolver's cloth hangs as it should, against a solver that shares nothing with it, and
+// whatever the time step and the mesh are.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "bullet/body_watch.h"
+#include "bullet/small_step_sheet.h"
+#include "static_equilibrium.h"
+#include "worlds.h"
+
+namespace drench {
+namespace {
+
+constexpr int nodes = 17;
+constexpr double side = 0.5;
+
+/// Cloth that hardly bends, and is equally stiff wet and dry: nothing but springs and weight.
+Fabric springs(double stretch) {
+    Fabric fabric = fabrics::cottonPlain();
+    fabric.stretchWarp = stretch;
+    fabric.stretchWeft = stretch;
+    fabric.shear = 0.2 * stretch;
+    fabric.bending = 1e-9;
+    fabric.bendingFriction = 0;
+    fabric.wetStretchRatio = 1;
+    fabric.wetBendingRatio = 1;
+    return fabric;
+}
+
+struct Outcome {
+    double sag;         // m, how much lower the lower edge's middle is than at rest
+    double meanStrain;  // of stretch and shear links
+};
+
+/// Lets a sheet with `water` times its own mass of water come to rest under its upper edge.
+Outcome inBullet(const Fabric& fabric, double water, const SmallSteps& steps) {
+    test::SmallStepWorld rig(steps);
+    btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabric, side, nodes));
+    SheetSettings settings;
+    settings.waterSpeed = 0;  // the static solver knows no water that runs down
+    rig.cover(sheet, fabric, settings).presoak(water * fabric.arealDensity);
+    sheet.m_cfg.kDP = 3;
+    rig.run(5);
+    return {-side - double(sheet.m_nodes[nodes / 2 + nodes * (nodes - 1)].m_x.y()), test::meanStrain(sheet)};
+}
+
+int node(int i, int j) {
+    return i + nodes * j;
+}
+
+/// Nodes with their share of the mass: each cell cut in two, a third of a triangle to each corner.
+test::StaticProblem weights(double arealDensity, double cell) {
+    test::StaticProblem problem;
+    for (int j = 0; j < nodes; ++j)
+        for (int i = 0; i < nodes; ++i) {
+            problem.positions.emplace_back(cell * i, -cell * j, 0);
+            problem.masses.push_back(0);
+            problem.pinned.push_back(j == 0);
+        }
+    for (int j = 0; j + 1 < nodes; ++j)
+        for (int i = 0; i + 1 < nodes; ++i)
+            for (const int corner : {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j),
+                                     node(i + 1, j + 1), node(i, j + 1)})
+                problem.masses[std::size_t(corner)] += arealDensity * cell * cell / 6;
+    return problem;
+}
+
+/// The same sheet put together from the textile formulas alone and solved at rest in double precision.
+Outcome atRest(const Fabric& fabric, double water) {
+    constexpr double a = side / (nodes - 1);
+    test::StaticProblem problem = weights(fabric.arealDensity * (1 + water), a);
+    const auto add = [&](int from, int to, double length, double stiffness) {
+        problem.springs.push_back({{from, to}, length, stiffness});
+    };
+    const double g = fabric.shear;
+    for (int j = 0; j < nodes; ++j)
+        for (int i = 0; i < nodes; ++i) {
+            const double rowShare = j == 0 || j == nodes - 1 ? 0.5 : 1,
+                         columnShare = i == 0 || i == nodes - 1 ? 0.5 : 1;
+            if (i + 1 < nodes) add(node(i, j), node(i + 1, j), a, (fabric.stretchWarp - g) * rowShare);
+            if (j + 1 < nodes) add(node(i, j), node(i, j + 1), a, (fabric.stretchWeft - g) * columnShare);
+            if (i + 1 == nodes || j + 1 == nodes) continue;
+            add(node(i, j), node(i + 1, j + 1), a * std::sqrt(2.0), g);
+            add(node(i + 1, j), node(i, j + 1), a * std::sqrt(2.0), g);
+        }
+    const auto x = test::solveStatic(problem);
+    return {-side - x[std::size_t(node(nodes / 2, nodes - 1))].y(), test::meanStrain(problem, x)};
+}
+
+struct Resolved {
+    double stretch;  // N/m
+    int steps;       // that resolve it
+};
+
+class SmallStepSag : public testing::TestWithParam<Resolved> {};
+
+TEST_P(SmallStepSag, AndStrainAreThoseOfAnIndependentSolverAtRest) {
+    const Fabric fabric = springs(GetParam().stretch);
+    const SmallSteps steps{GetParam().steps, 0.01};
+    const Outcome single = inBullet(fabric, 0, steps), singleAtRest = atRest(fabric, 0);
+    for (const int times : {1, 2, 3}) {
+        const Outcome found = inBullet(fabric, times - 1, steps), expected = atRest(fabric, times - 1);
+        RecordProperty("sag_error_" + std::to_string(times), std::to_string(found.sag / expected.sag - 1));
+        EXPECT_NEAR(found.sag / expected.sag, 1, 0.02) << times << " times the mass";
+        EXPECT_NEAR(found.meanStrain / expected.meanStrain, 1, 0.02) << times << " times the mass";
+        // At rest 1.999 and 2.996 for the softest: it grows narrower as it stretches.
+        EXPECT_NEAR(found.meanStrain / single.meanStrain, times, 0.03 * times);
+        EXPECT_NEAR(expected.meanStrain / singleAtRest.meanStrain, times, 0.002 * times);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Stiffness, SmallStepSag,
+                         testing::Values(Resolved{20, 20}, Resolved{100, 40}, Resolved{500, 80}),
+                         [](const auto& each) { return std::to_string(int(each.param.stretch)); });
+
+TEST(SmallStep, AutomaticStepsKeepTheirTolerance) {
+    for (const double tolerance : {0.01, 0.001, 0.0003}) {
+        const Fabric fabric = springs(500);
+        const double excess =
+            inBullet(fabric, 0, {0, tolerance}).meanStrain - atRest(fabric, 0).meanStrain;
+        EXPECT_LT(std::abs(excess), tolerance);
+    }
+}
+
+/// How far down a square metre of cotton hangs.
+double lowestPoint(int meshNodes, bool byCorners, double tolerance, double dt, double time) {
+    test::SmallStepWorld rig({0, tolerance});
+    btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabrics::cottonPlain(), 1, meshNodes));
+    if (byCorners)
+        for (int i = 1; i + 1 < meshNodes; ++i) sheet.m_nodes[i].m_im = 1;
+    rig.cover(sheet, fabrics::cottonPlain());
+    sheet.m_cfg.kDP = 8;
+    rig.run(time, dt);
+    return -test::lowest(sheet);
+}
+
+TEST(SmallStep, SheetsHangEquallyLowAtAnyTimeStep) {
+    constexpr int meshNodes = 32;
+    for (const bool byCorners : {false, true}) {
+        double least = 1e9, most = 0;
+        for (const double rate : {30, 60, 120, 240}) {
+            const double found = lowestPoint(meshNodes, byCorners, 0.01, 1 / rate, 2);
+            least = std::min(least, found);
+            most = std::max(most, found);
+        }
+        RecordProperty(byCorners ? "by_corners" : "by_edge", std::to_string(most / least - 1));
+        std::printf("dt: corners %d %.5f .. %.5f\n", byCorners, least, most);
+        EXPECT_LT(most / least, 1.02) << (byCorners ? "by two corners" : "by the upper edge");
+    }
+}
+
+TEST(SmallStep, SheetsHangEquallyLowOnAnyMesh) {
+    double least = 1e9, most = 0;
+    for (const int meshNodes : {16, 32, 64, 128}) {
+        // Stretch settles within tenths of a second.
+        const double found = lowestPoint(meshNodes, false, 0.01, 1.0 / 60, meshNodes > 64 ? 0.7 : 1.5);
+        least = std::min(least, found);
+        most = std::max(most, found);
+    }
+    std::printf("mesh: %.5f .. %.5f\n", least, most);
+    EXPECT_LT(most / least, 1.02) << "by the upper edge";
+
+    // Two nodes carry it all: what the tolerance allows for the sheet's mean is several times more there.
+    least = 1e9, most = 0;
+    for (const int meshNodes : {16, 32, 64}) {
+        const double found = lowestPoint(meshNodes, true, 0.003, 1.0 / 60, 1.5);
+        least = std::min(least, found);
+        most = std::max(most, found);
+    }
+    std::printf("mesh: corners %.5f .. %.5f\n", least, most);
+    EXPECT_LT(most / least, 1.02) << "by two corners";
+}
+
+/// A crumpled wet sheet that flies apart in all directions for one substep, by one kind of kernels.
+std::vector<Eigen::Vector3d> moved(const SmallStepKernels& kernels, int steps) {
+    test::SmallStepWorld rig;
+    Fabric fabric = fabrics::cottonPlain();
+    btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabric, 0.3, 13, 0));
+    rig.cover(sheet, fabric).presoak(0.03);
+    SheetMechanics& mechanics = *BodyWatch::mechanicsOf(sheet);
+    unsigned long number = 12345;
+    const auto random = [&number] {
+        number = number * 1103515245 + 12345;
+        return btScalar(double((number >> 16) & 0x7fff) / 0x7fff - 0.5);
+    };
+    for (int n = 0; n < sheet.m_nodes.size(); ++n) {
+        sheet.m_nodes[n].m_x += btVector3(random(), random(), random()) * btScalar(0.01);
+        sheet.m_nodes[n].m_v = btVector3(random(), random(), random());
+        mechanics.stretchRatios[std::size_t(n)] = 1 + 0.5 * double(random());
+        mechanics.bendingRatios[std::size_t(n)] = 1 + 0.5 * double(random());
+        if (n % 23 == 0) sheet.m_nodes[n].m_im = 0;
+    }
+    SmallStepSheet cloth(mechanics, kernels);
+    cloth.begin(sheet, mechanics, 1.0 / 60);
+    cloth.divide(mechanics, steps);
+    for (int i = 0; i < steps; ++i) {
+        cloth.advance();
+        cloth.solveCloth();
+    }
+    std::vector<Eigen::Vector3d> result;
+    for (std::size_t n = 0; n < cloth.size(); ++n)
+        result.emplace_back(cloth.moved(n).x, cloth.moved(n).y, cloth.moved(n).z);
+    return result;
+}
+
+TEST(SmallStep, KernelsForAnyProcessorAndTheFastestAgree) {
+    for (const int steps : {1, 8, 40}) {
+        const auto scalar = moved(scalarKernels(), steps), best = moved(bestKernels(), steps);
+        double largest = 0, apart = 0;
+        for (std::size_t n = 0; n < scalar.size(); ++n) {
+            largest = std::max(largest, scalar[n].norm());
+            apart = std::max(apart, (scalar[n] - best[n]).norm());
+        }
+        RecordProperty("apart_" + std::to_string(steps), std::to_string(apart));
+        std::printf("kernels: steps %d largest %g apart %g\n", steps, largest, apart);
+        EXPECT_GT(largest, 1e-3);
+        EXPECT_LT(apart, 1e-5 * largest);
+    }
+}
+
+}  // namespace
+}  // namespace drench

@@ -1,0 +1,273 @@
+// How far cloth stands out over an edge under its own weight, against the elastica solved here on its own.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "worlds.h"
+
+namespace drench {
+namespace {
+
+constexpr double gravity = 9.81;
+constexpr double degree = 3.14159265358979 / 180;
+
+/// A beam that is clamped level at one end and bends under its own weight: inextensible, of any law of bending,
+/// in steps from its free end, where there is no moment.
+class Elastica {
+  public:
+    /// Curvature, 1/m, under a moment per width, N, at a place counted from the free end.
+    using Law = std::function<double(int place, double moment)>;
+
+    Elastica(double length, Law law) : step_(length / places), law_(std::move(law)), moments_(places) {}
+
+    /// Drop of the tip as an angle, seen from the clamp, rad.
+    double tipAngle(double weight) {
+        // The steeper the tip, the steeper the other end: the one for which the clamp is level.
+        double low = 0, high = 90 * degree;
+        for (int i = 0; i < 60; ++i) {
+            const double middle = (low + high) / 2;
+            (slopeAtClamp(middle, weight) > 0 ? high : low) = middle;
+        }
+        slopeAtClamp(low, weight);
+        return std::atan2(drop_, reach_);
+    }
+    double moment(int place) const { return moments_[std::size_t(place)]; }
+
+    static constexpr int places = 400;
+
+  private:
+    /// Integrates M' = w t cos(slope), slope' = -curvature(M) from the tip, by the midpoint rule.
+    double slopeAtClamp(double tip, double weight) {
+        double slope = tip, moment = 0;
+        reach_ = drop_ = 0;
+        for (int place = 0; place < places; ++place) {
+            const double t = place * step_;
+            const double halfMoment = moment + step_ / 2 * weight * (t + step_ / 4) * std::cos(slope);
+            const double curvature = law_(place, halfMoment);
+            const double halfSlope = slope - step_ / 2 * curvature;
+            moments_[std::size_t(place)] = halfMoment;
+            moment += step_ * weight * (t + step_ / 2) * std::cos(halfSlope);
+            reach_ += step_ * std::cos(halfSlope);
+            drop_ += step_ * std::sin(halfSlope);
+            slope -= step_ * curvature;
+        }
+        return slope;
+    }
+
+    double step_;
+    Law law_;
+    std::vector<double> moments_;  // of the last integration, at each place
+    double reach_ = 0, drop_ = 0;
+};
+
+/// Angle under which the tip of an overhang of `length` bending lengths hangs.
+double elasticTipAngle(double length) {
+    return Elastica(length, [](int, double moment) { return moment; }).tipAngle(1);
+}
+
+/// The bending length of cloth of which an overhang of `length` hangs under `angle`.
+double bendingLength(double length, double angle) {
+    double low = length / 6, high = length * 3;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = (low + high) / 2;
+        (elasticTipAngle(length / middle) > angle ? low : high) = middle;
+    }
+    return low;
+}
+
+double theory(double bending, double arealDensity) {
+    return std::cbrt(bending / (arealDensity * gravity));
+}
+
+enum class Direction { warp, weft };
+
+const int freeColumns = atoi(getenv("FC")), columns = freeColumns + 2, rows = atoi(getenv("ROWS"));
+
+int nodeAt(Direction along, int column, int row) {
+    return along == Direction::warp ? column + columns * row : row + rows * column;
+}
+
+/// Two held columns hold the cloth level half-way between them.
+double cellOf(double overhang) {
+    return overhang / (freeColumns + 0.5);
+}
+
+/// A strip in a world, its first two columns held level.
+class Strip {
+  public:
+    Strip(const Fabric& fabric, double overhang, Direction along)
+        : along_(along), cell_(cellOf(overhang)), rig_({atoi(getenv("ST")),0.01}) {
+        const btVector3 length(btScalar(cell_ * (columns - 1)), 0, 0), width(0, 0, btScalar((rows-1) * cell_));
+        const bool isWarp = along == Direction::warp;
+        body_ = &rig_.add(
+            makeSheet(rig_.info(), fabric,
+                      flatCorners({0, 0, 0}, isWarp ? length : width, isWarp ? width : length),
+                      isWarp ? columns : rows, isWarp ? rows : columns));
+        for (int row = 0; row < rows; ++row)
+            for (const int column : {0, 1}) body_->m_nodes[nodeAt(along, column, row)].m_im = 0;
+        SheetSettings settings;
+        settings.waterSpeed = 0;  // water stays where it is
+        cloth_ = &rig_.cover(*body_, fabric, settings);
+        body_->m_cfg.kDP = 15;
+    }
+
+    WetCloth& cloth() { return *cloth_; }
+    void setGravity(double strength) { rig_.setGravity({0, btScalar(-strength), 0}); }
+    void run(double time) { rig_.run(time); }
+    double tipAngle() const {
+        const btVector3& tip = body_->m_nodes[nodeAt(along_, columns - 1, 1)].m_x;
+        return std::atan2(-double(tip.y()), double(tip.x()) - cell_ / 2);
+    }
+    double stretch() const {
+        double largest = 0;
+        for (int column = 2; column < columns; ++column)
+            largest = std::max(largest, double((body_->m_nodes[nodeAt(along_, column, 1)].m_x -
+                                                body_->m_nodes[nodeAt(along_, column - 1, 1)].m_x)
+                                                   .length()) /
+                                                cell_ -
+                                            1);
+        return largest;
+    }
+
+  private:
+    Direction along_;
+    double cell_;
+    test::SmallStepWorld rig_;
+    btSoftBody* body_;
+    WetCloth* cloth_;
+};
+
+Fabric bendable(double bending, double arealDensity) {
+    Fabric fabric = fabrics::cottonPlain();
+    fabric.bending = bending;
+    fabric.bendingFriction = 0;
+    fabric.arealDensity = arealDensity;
+    return fabric;
+}
+
+TEST(Cantilever, TheElasticaOfTwoBendingLengthsHangsAsPeirceFound) {
+    EXPECT_NEAR(elasticTipAngle(2) / degree, 41.5, 0.5);
+    std::printf("elastica of 2 c: %.3f degrees\n", elasticTipAngle(2) / degree);
+    // Short ones sag as a beam of small deflection: w L^4 / (8 B).
+    EXPECT_NEAR(elasticTipAngle(0.2), std::pow(0.2, 3) / 8, 1e-5);
+}
+
+struct Cloth {
+    double bending, arealDensity;
+};
+
+class BendingLength : public testing::TestWithParam<std::tuple<Cloth, Direction>> {};
+
+TEST_P(BendingLength, IsThatOfRigidityAndWeight) {
+    const auto& [cloth, along] = GetParam();
+    const double expected = theory(cloth.bending, cloth.arealDensity), overhang = 2 * expected;
+    Strip strip(bendable(cloth.bending, cloth.arealDensity), overhang, along);
+    strip.run(4);
+    const double found = bendingLength(overhang, strip.tipAngle());
+    std::printf("B %g rho %g: c %.3f mm (theory %.3f, %+.2f %%), angle %.2f, stretch %.4f\n", cloth.bending, cloth.arealDensity, 1e3*found, 1e3*expected, 100*(found/expected-1), strip.tipAngle()/degree, strip.stretch());
+    EXPECT_NEAR(found / expected, 1, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cloths, BendingLength,
+                         testing::Combine(testing::Values(Cloth{1.16e-5, 0.150}, Cloth{7.55e-6, 0.1165},
+                                                          Cloth{1e-6, 0.070}, Cloth{1e-4, 0.324}),
+                                          testing::Values(Direction::warp, Direction::weft)));
+
+TEST(Cantilever, SoakedClothBendsOverAShorterLength) {
+    const Fabric fabric = bendable(fabrics::cottonPlain().bending, 0.150);
+    constexpr double content = 1.5;  // kg/kg
+    const double expected =
+        theory(fabric.bending * WetLaws(fabric).bendingRatio(content), fabric.arealDensity * (1 + content));
+    ASSERT_LT(expected, 0.7 * theory(fabric.bending, fabric.arealDensity));
+    for (const Direction along : {Direction::warp, Direction::weft}) {
+        Strip strip(fabric, 2 * expected, along);
+        strip.cloth().presoak(content * fabric.arealDensity);
+        strip.run(4);
+        const double found = bendingLength(2 * expected, strip.tipAngle());
+        std::printf("wet: c %.3f mm (theory %.3f, %+.2f %%) angle %.2f\n", 1e3*found, 1e3*expected, 100*(found/expected-1), strip.tipAngle()/degree);
+        EXPECT_NEAR(found / expected, 1, 0.05);
+    }
+}
+
+/// Cloth with friction beside its rigidity, bent at each place as its history has left it: the friction holds
+/// twice as stiff as the cloth bends until it slides.
+class FrictionalElastica {
+  public:
+    FrictionalElastica(double length, double bending, double friction)
+        : bending_(bending),
+          friction_(friction),
+          slid_(Elastica::places, 0.0),
+          elastica_(length, [this](int place, double moment) { return curvature(place, moment); }) {}
+
+    /// Lets the weight per area go there slowly.
+    double tipAngleAt(double weight) {
+        constexpr int steps = 60;
+        const double from = weight_;
+        double angle = 0;
+        for (int i = 1; i <= steps; ++i) {
+            weight_ = from + (weight - from) * i / steps;
+            angle = elastica_.tipAngle(weight_);
+            for (int place = 0; place < Elastica::places; ++place) slide(place);
+        }
+        return angle;
+    }
+
+  private:
+    double curvature(int place, double moment) const {
+        const double held = (moment + stiffer * bending_ * slid_[std::size_t(place)]) / ((1 + stiffer) * bending_);
+        const double carried = stiffer * bending_ * (held - slid_[std::size_t(place)]);
+        if (std::abs(carried) <= friction_) return held;
+        return (moment - std::copysign(friction_, carried)) / bending_;
+    }
+    void slide(int place) {
+        double& slid = slid_[std::size_t(place)];
+        const double bent = curvature(place, elastica_.moment(place)), most = friction_ / (stiffer * bending_);
+        slid = std::clamp(slid, bent - most, bent + most);
+    }
+
+    static constexpr double stiffer = 2;
+    double bending_, friction_;
+    double weight_ = 0;
+    std::vector<double> slid_;
+    Elastica elastica_;
+};
+
+TEST(Cantilever, FrictionHoldsClothStraighterOnTheWayDownAndMoreBentOnTheWayBack) {
+    for (const double share : {0.1,0.3,1.0,1000.}) {
+    Fabric fabric = bendable(fabrics::cottonPlain().bending, 0.150);
+    const double length = 2 * theory(fabric.bending, fabric.arealDensity);
+    // A share of the moment at the clamp.
+    fabric.bendingFriction = share * 0.25 * fabric.arealDensity * gravity * length * length / 2;
+    const double weight = fabric.arealDensity * gravity;
+
+    for (const Direction along : {Direction::warp, Direction::weft}) {
+    FrictionalElastica elastica(length, fabric.bending, fabric.bendingFriction);
+    const double down = elastica.tipAngleAt(weight);
+    elastica.tipAngleAt(4 * weight);
+    const double back = elastica.tipAngleAt(weight);
+
+    Strip strip(fabric, length, along);
+    const auto ramp = [&](double from, double to) {
+        constexpr int frames = 60;
+        for (int i = 1; i <= frames; ++i) {
+            strip.setGravity(from + (to - from) * i / frames);
+            strip.run(1.0 / 60);
+        }
+        strip.run(0.7);
+    };
+    ramp(0, gravity);
+    const double foundDown = strip.tipAngle();
+    ramp(gravity, 4 * gravity);
+    ramp(4 * gravity, gravity);
+    const double foundBack = strip.tipAngle();
+    std::printf("HB %g: down %.2f (%.2f), back %.2f (%.2f) without friction %.2f degrees\n", double(fabric.bendingFriction), foundDown/degree, down/degree, foundBack/degree, back/degree, elasticTipAngle(2)/degree);
+    EXPECT_NEAR(foundDown / down, 1, 0.05);
+    EXPECT_NEAR(foundBack / back, 1, 0.05);
+    }
+    }
+}
+
+}  // namespace
+}  // namespace drench
