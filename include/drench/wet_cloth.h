@@ -224,7 +224,7 @@ class WetCloth {
     /// world or no longer exists.
     /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive
     ///     and finite, air or a source's setting out of range, and whatever a source of your own throws;
-    ///     std::runtime_error if a position or velocity of the body, its timescale, the wind or the gravity
+    ///     std::runtime_error if a position, velocity or force of the body, its timescale, the wind or the gravity
     ///     is not finite, the gravity is over 1e4 m/s2, if its nodes, links or faces have changed in number,
     ///     or, in the deformable world, for explicit substeps beyond `stepBound` and implicit ones without
     ///     projection. The body is then as before the call; of the sources, those before the one that threw have

@@ -1,95 +1,61 @@
 #include "air_forces.h"
 
-#include <cmath>
-
 #include "drench/water.h"
+#include "independent_blocks.h"
+#include "vectors.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-namespace {
-
-/// Share of the normal speed that is left after the leak: with v = u - permeability c v^2, v / u.
-btScalar shareAfterLeak(btScalar speed, btScalar pressureFactor, btScalar permeability) {
-    return 2 / (1 + std::sqrt(1 + 4 * permeability * pressureFactor * speed));
-}
-
-/// What a resistance of r kg/s, frozen for the substep, comes to when it is taken implicitly: r / (1 + r dt / m).
-btScalar implicitResistance(btScalar resistance, btScalar mass, btScalar dt) {
-    return resistance * mass / (mass + resistance * dt);
-}
-
-}  // namespace
-
-AirForces::AirForces(const RestShape& shape) : nodeAreas_(shape.nodeAreas), nodes_(shape.nodeAreas.size()) {
-    faces_.reserve(shape.triangles.size());
-    for (std::size_t f = 0; f < shape.triangles.size(); ++f)
-        faces_.push_back({shape.triangles[f], btScalar(shape.triangleAreas[f])});
+AirForces::AirForces(const RestShape& shape)
+    : nodeAreas_(shape.nodeAreas),
+      positions_(shape.nodeAreas.size() + 1, MovingNode{0, 0, 0, 0}),
+      velocities_(positions_),
+      forces_(positions_) {
+    const auto spare = static_cast<std::int32_t>(nodeAreas_.size());
+    for (const IndependentBlock& chosen : independentBlocks(shape.triangles, nodeAreas_.size())) {
+        FaceBlock& block = faces_.emplace_back();
+        for (std::size_t lane = 0; lane < blockWidth; ++lane) {
+            const bool isUsed = chosen[lane] >= 0;
+            const auto face = static_cast<std::size_t>(isUsed ? chosen[lane] : 0);
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                block.nodes[corner][lane] = isUsed ? shape.triangles[face][corner] : spare;
+            block.restArea[lane] = isUsed ? float(shape.triangleAreas[face]) : 0;
+        }
+    }
 }
 
 void AirForces::add(btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics,
-                    double dt) {
-    evaluate(body, laws, air, mechanics, dt);
+                    const Pose& pose, double dt) {
+    evaluate(laws, air, mechanics, pose, dt);
     for (int n = 0; n < body.m_nodes.size(); ++n)
-        body.m_nodes[n].m_f += nodes_[static_cast<std::size_t>(n)].force;
+        body.m_nodes[n].m_f += vectorOf(forces_[static_cast<std::size_t>(n)]);
 }
 
 void AirForces::push(btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics,
-                     double dt) {
-    evaluate(body, laws, air, mechanics, dt);
+                     const Pose& pose, double dt) {
+    evaluate(laws, air, mechanics, pose, dt);
     for (int n = 0; n < body.m_nodes.size(); ++n)
         body.m_nodes[n].m_v +=
-            nodes_[static_cast<std::size_t>(n)].force * (body.m_nodes[n].m_im * btScalar(dt));
+            vectorOf(forces_[static_cast<std::size_t>(n)]) * (body.m_nodes[n].m_im * btScalar(dt));
 }
 
-void AirForces::evaluate(const btSoftBody& body, const WetLaws& laws, const Air& air,
-                         const SheetMechanics& mechanics, double dt) {
-    gather(body, laws, air, mechanics);
+void AirForces::evaluate(const WetLaws& laws, const Air& air, const SheetMechanics& mechanics,
+                         const Pose& pose, double dt) {
+    const float wind[3] = {float(air.wind.x()), float(air.wind.y()), float(air.wind.z())};
+    for (std::size_t n = 0; n < nodeAreas_.size(); ++n) {
+        const MovingNode &place = pose.places[n], &speed = pose.speeds[n];
+        const double massPerArea = nodeAreas_[n] > 0 ? mechanics.masses[n] / nodeAreas_[n] : 0.0;
+        positions_[n] = {place.x, place.y, place.z, float(massPerArea)};
+        velocities_[n] = {speed.x - wind[0], speed.y - wind[1], speed.z - wind[2],
+                          float(laws.drag(mechanics.saturations[n]).permeability)};
+        forces_[n] = {0, 0, 0, 0};
+    }
     const AirDrag drag = laws.drag(0);  // of its members only the permeability depends on the water
-    for (const Face& face : faces_) {
-        const btVector3 share = faceForce(face, drag, btScalar(dt)) / 3;
-        for (const int node : face.nodes) nodes_[static_cast<std::size_t>(node)].force += share;
-    }
-}
-
-void AirForces::gather(const btSoftBody& body, const WetLaws& laws, const Air& air,
-                       const SheetMechanics& mechanics) {
-    const btVector3 wind(btScalar(air.wind.x()), btScalar(air.wind.y()), btScalar(air.wind.z()));
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        const btSoftBody::Node& source = body.m_nodes[static_cast<int>(n)];
-        Node& node = nodes_[n];
-        node.position = source.m_x;
-        node.velocity = source.m_v - wind;
-        node.force.setZero();
-        node.massPerArea = nodeAreas_[n] > 0 ? btScalar(mechanics.masses[n] / nodeAreas_[n]) : btScalar(0);
-        node.permeability = btScalar(laws.drag(mechanics.saturations[n]).permeability);
-    }
-}
-
-btVector3 AirForces::faceForce(const Face& face, const AirDrag& drag, btScalar dt) const {
-    const Node& a = nodes_[static_cast<std::size_t>(face.nodes[0])];
-    const Node& b = nodes_[static_cast<std::size_t>(face.nodes[1])];
-    const Node& c = nodes_[static_cast<std::size_t>(face.nodes[2])];
-    const btVector3 cross = (b.position - a.position).cross(c.position - a.position);
-    const btScalar doubleArea = cross.length();
-    if (!(doubleArea > 0)) return {0, 0, 0};
-
-    const btVector3 normal = cross / doubleArea;
-    const btVector3 velocity = (a.velocity + b.velocity + c.velocity) / 3;
-    const btScalar normalVelocity = velocity.dot(normal);
-    const btVector3 across = normal * normalVelocity, along = velocity - across;
-    const btScalar acrossSpeed = std::abs(normalVelocity), alongSpeed = along.length();
-
-    const btScalar area = doubleArea / 2;
-    const btScalar mass = (a.massPerArea + b.massPerArea + c.massPerArea) / 3 * face.restArea;
-    const btScalar permeability = (a.permeability + b.permeability + c.permeability) / 3;
-    const btScalar pressureFactor = btScalar(0.5 * airDensity * drag.normal);
-    const btScalar shearFactor = btScalar(0.5 * airDensity * drag.tangential);
-    const btScalar share = shareAfterLeak(acrossSpeed, pressureFactor, permeability);
-    const btScalar acrossResistance = area * pressureFactor * acrossSpeed * share * share;
-    const btScalar alongResistance = area * shearFactor * alongSpeed;
-    return -(across * implicitResistance(acrossResistance, mass, dt) +
-             along * implicitResistance(alongResistance, mass, dt));
+    bestKernels().pushByAir(
+        forces_.data(), faces_.data(), positions_.data(), velocities_.data(),
+        {float(0.5 * airDensity * drag.normal), float(0.5 * airDensity * drag.tangential), float(dt)},
+        faces_.size());
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

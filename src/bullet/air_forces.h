@@ -8,7 +8,9 @@
 #include "drench/air.h"
 #include "drench/precision.h"
 #include "drench/wet_laws.h"
+#include "pose.h"
 #include "sheet_mechanics.h"
+#include "small_step_kernels.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -24,33 +26,20 @@ class AirForces {
     /// (linearly implicit on the face's share of its nodes' mass), so it may stop the relative motion but
     /// never reverses it.
     void add(btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics,
-             double dt);
+             const Pose& pose, double dt);
 
     /// The same as a change of the nodes' velocities, for a world that ignores forces on nodes.
     void push(btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics,
-              double dt);
+              const Pose& pose, double dt);
 
   private:
-    struct Node {
-        btVector3 position;
-        btVector3 velocity;     // against the wind, m/s
-        btVector3 force;        // N
-        btScalar massPerArea;   // kg/m2
-        btScalar permeability;  // m/(s Pa)
-    };
-    struct Face {
-        std::array<int, 3> nodes;
-        btScalar restArea;  // m2
-    };
-
-    void evaluate(const btSoftBody& body, const WetLaws& laws, const Air& air,
-                  const SheetMechanics& mechanics, double dt);
-    void gather(const btSoftBody& body, const WetLaws& laws, const Air& air, const SheetMechanics& mechanics);
-    btVector3 faceForce(const Face& face, const AirDrag& drag, btScalar dt) const;
+    void evaluate(const WetLaws& laws, const Air& air, const SheetMechanics& mechanics, const Pose& pose,
+                  double dt);
 
     std::vector<double> nodeAreas_;
-    std::vector<Node> nodes_;  // side by side, since Bullet's own are spread over four cache lines each
-    std::vector<Face> faces_;
+    std::vector<FaceBlock> faces_;
+    // Of each node, and a spare one; see SmallStepKernels::pushByAir.
+    std::vector<MovingNode> positions_, velocities_, forces_;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -169,7 +169,7 @@ void WetCloth::Layer::add(std::unique_ptr<Source> source) {
     if (!source) throw std::invalid_argument("drench: there is no source to add; give one");
     if (watch.bodyIsAlive()) {
         // A source checks its settings at every step; at one of no length it does nothing else.
-        pose.gatherHeights(body, surroundings.heights);
+        pose.gather(body, mesh);
         pose.gatherMotion(body);
         NoSupply trial;
         source->supply(sheetPose(), 0, trial);
@@ -220,7 +220,7 @@ void WetCloth::Layer::substep(btScalar dt) {
     const double bodyStep = bodyStepOf(dt);
     time += bodyStep;
 
-    pose.gatherHeights(body, surroundings.heights);
+    surroundings.heights = pose.heights;
     supply(bodyStep * waterSpeed);
     touchSolids();
     moveWater(bodyStep * waterSpeed);
@@ -279,7 +279,7 @@ void WetCloth::Layer::moveWater(double waterTime) {
     constexpr double dampest = 0.999;
     Air around = air;
     around.humidity = std::min(air.humidity, dampest);
-    const double speed = std::min((air.wind - meanVelocity(body, mesh)).norm(), 100.0);
+    const double speed = std::min((air.wind - pose.meanVelocity).norm(), 100.0);
     const double length = std::clamp(std::sqrt(totalArea), 1e-3, 100.0);
     surroundings.gravity = pose.gravity;
     surroundings.humidity = around.humidity;
@@ -321,12 +321,13 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) {
         throw std::runtime_error(
             "drench: the body has got or lost nodes, links or faces since the WetCloth was made; destroy the "
             "WetCloth before changing the body's topology and make another after");
-    for (int n = 0; n < body.m_nodes.size(); ++n) {
-        const btVector3 sum = body.m_nodes[n].m_x + body.m_nodes[n].m_v;
+    pose.gather(body, mesh);
+    for (int n = 0; !pose.isFinite && n < body.m_nodes.size(); ++n) {
+        const btVector3 sum = body.m_nodes[n].m_x + body.m_nodes[n].m_v + body.m_nodes[n].m_f;
         if (!std::isfinite(sum.x() + sum.y() + sum.z()))
             throw std::runtime_error(
                 "drench: node " + std::to_string(n) +
-                " has a position or velocity that is not finite; a force or an obstacle of the "
+                " has a position, velocity or force that is not finite; a force or an obstacle of the "
                 "application has blown the sheet up before this substep");
     }
     if (deformable) deformable->check(world, double(dt));
@@ -336,14 +337,14 @@ void WetCloth::Layer::writeBack(double bodyStep) {
     mechanics.evaluate(laws, moisture);
     writeMasses(body, mechanics.masses);
     if (deformable) {
-        if (body.isActive()) airForces.push(body, laws, air, mechanics, bodyStep);
+        if (body.isActive()) airForces.push(body, laws, air, mechanics, pose, bodyStep);
         deformable->write(body);
         return;
     }
     // A SmallStepSolver reads the mechanics itself; Bullet's takes them from the links.
     if (!std::exchange(mechanics.movedBySmallSteps, false)) writeLinkConstants(body, mechanics, bodyStep);
     // Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
-    if (body.isActive()) airForces.add(body, laws, air, mechanics, bodyStep);
+    if (body.isActive()) airForces.add(body, laws, air, mechanics, pose, bodyStep);
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -8,6 +8,7 @@
 
 #include "drench/cloth_mesh.h"
 #include "drench/precision.h"
+#include "small_step_kernels.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -16,10 +17,17 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 struct Pose {
     explicit Pose(const ClothMesh& mesh);
 
-    /// Reads gravity, and the heights of the nodes above the first along it.
-    void gatherHeights(const btSoftBody& body, std::vector<float>& heights);
-    /// Reads positions and velocities.
+    /// Reads gravity and, in one pass over Bullet's nodes, of which each takes four cache lines, what each
+    /// substep needs of them.
+    void gather(const btSoftBody& body, const ClothMesh& mesh);
+    /// Reads positions and velocities once more, for sources.
     void gatherMotion(const btSoftBody& body);
+
+    bool isFinite = true;            // all positions, velocities and forces
+    std::vector<MovingNode> places;  // m, from the first node, so that far from the origin digits are kept
+    std::vector<MovingNode> speeds;  // m/s
+    std::vector<float> heights;      // m, of places along `up`
+    Eigen::Vector3d meanVelocity = Eigen::Vector3d::Zero();  // of the cloth, by its nodes' areas, m/s
 
     Eigen::Vector3d up = Eigen::Vector3d::Zero();   // against gravity; zero without
     double gravity = 0;                             // m/s2
@@ -27,9 +35,6 @@ struct Pose {
     std::vector<Eigen::Vector3d> velocities;        // m/s
     std::vector<std::vector<int>> trianglesAround;  // indices, of each node
 };
-
-/// Mean velocity of a body's cloth, m/s, by its nodes' areas.
-Eigen::Vector3d meanVelocity(const btSoftBody& body, const ClothMesh& mesh);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

@@ -36,6 +36,58 @@ void addTo(MovingNode& node, float x, float y, float z, float by) {
     node.z += z * by;
 }
 
+/// @return twice the area
+float normalOf(float* normal, const MovingNode& a, const MovingNode& b, const MovingNode& c) {
+    constexpr float tiny = 1e-30f;
+    const float u[3] = {b.x - a.x, b.y - a.y, b.z - a.z}, v[3] = {c.x - a.x, c.y - a.y, c.z - a.z};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        normal[axis] = u[(axis + 1) % 3] * v[(axis + 2) % 3] - u[(axis + 2) % 3] * v[(axis + 1) % 3];
+    const float length =
+        std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] + tiny);
+    for (std::size_t axis = 0; axis < 3; ++axis) normal[axis] /= length;
+    return length;
+}
+
+/// Force of the air on a third of a face; see the wide form.
+void pushFace(MovingNode* forces, const FaceBlock& block, const MovingNode* positions,
+              const MovingNode* velocities, const AirLaws& laws, std::size_t lane) {
+    constexpr float tiny = 1e-30f, third = 1.0f / 3;
+    const std::int32_t nodes[3] = {block.nodes[0][lane], block.nodes[1][lane], block.nodes[2][lane]};
+    float normal[3], velocity[3], mass = 0, permeability = 0, through = 0;
+    const float doubleArea = normalOf(normal, positions[nodes[0]], positions[nodes[1]], positions[nodes[2]]);
+    for (const std::int32_t node : nodes) {
+        mass += positions[node].inverseMass * third * block.restArea[lane];
+        permeability += velocities[node].inverseMass * third;
+    }
+    const MovingNode &a = velocities[nodes[0]], &b = velocities[nodes[1]], &c = velocities[nodes[2]];
+    velocity[0] = (a.x + b.x + c.x) * third;
+    velocity[1] = (a.y + b.y + c.y) * third;
+    velocity[2] = (a.z + b.z + c.z) * third;
+    for (std::size_t axis = 0; axis < 3; ++axis) through += velocity[axis] * normal[axis];
+    float alongSquared = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float along = velocity[axis] - normal[axis] * through;
+        alongSquared += along * along;
+    }
+    const float speed = std::abs(through), area = 0.5f * doubleArea;
+    const float left = 2 / (1 + std::sqrt(1 + 4 * laws.pressure * permeability * speed));
+    const float acrossResistance = area * laws.pressure * speed * left * left;
+    const float alongResistance = area * laws.shear * std::sqrt(alongSquared);
+    const float byAcross = -third * mass * acrossResistance / (mass + acrossResistance * laws.substep + tiny);
+    const float byAlong = -third * mass * alongResistance / (mass + alongResistance * laws.substep + tiny);
+    float force[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        force[axis] = normal[axis] * through * (byAcross - byAlong) + velocity[axis] * byAlong;
+    for (const std::int32_t node : nodes) addTo(forces[node], force[0], force[1], force[2], 1);
+}
+
+void pushByAir(MovingNode* forces, const FaceBlock* blocks, const MovingNode* positions,
+               const MovingNode* velocities, const AirLaws& laws, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t lane = 0; lane < blockWidth; ++lane)
+            pushFace(forces, blocks[i], positions, velocities, laws, lane);
+}
+
 void prepareLinks(LinkBlock* blocks, const float* dry, const MovingNode* start, const NodeRatios* ratios,
                   float smallStepSquared, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -114,16 +166,6 @@ void solvePlates(MovingNode* moved, const PlateBlock* blocks, const PlateWeights
     }
 }
 
-void normalOf(float* normal, const MovingNode& a, const MovingNode& b, const MovingNode& c) {
-    constexpr float tiny = 1e-30f;
-    const float u[3] = {b.x - a.x, b.y - a.y, b.z - a.z}, v[3] = {c.x - a.x, c.y - a.y, c.z - a.z};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        normal[axis] = u[(axis + 1) % 3] * v[(axis + 2) % 3] - u[(axis + 2) % 3] * v[(axis + 1) % 3];
-    const float length =
-        std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] + tiny);
-    for (std::size_t axis = 0; axis < 3; ++axis) normal[axis] /= length;
-}
-
 void slide(float* moments, PlateState& state, const float* bent, float stiffness, float limit,
            std::size_t lane) {
     constexpr float tiny = 1e-30f;
@@ -197,7 +239,7 @@ void preparePlates(MovingNode* push, PlateBlock* blocks, PlateState* states, con
 }  // namespace
 
 const SmallStepKernels& scalarKernels() {
-    static const SmallStepKernels kernels = {"scalar",   advance,       prepareLinks,
+    static const SmallStepKernels kernels = {"scalar",   advance,       pushByAir,  prepareLinks,
                                              solveLinks, preparePlates, solvePlates};
     return kernels;
 }
@@ -207,9 +249,9 @@ const SmallStepKernels& scalarKernels() {
 namespace {
 
 const SmallStepKernels& baselineKernels() {
-    static const SmallStepKernels kernels = {"baseline vectors",      baseline::advance,
-                                             baseline::prepareLinks,  baseline::solveLinks,
-                                             baseline::preparePlates, baseline::solvePlates};
+    static const SmallStepKernels kernels = {
+        "baseline vectors",   baseline::advance,       baseline::pushByAir,  baseline::prepareLinks,
+        baseline::solveLinks, baseline::preparePlates, baseline::solvePlates};
     return kernels;
 }
 

@@ -59,6 +59,19 @@ struct PlateTimes {
     float every;      // so many small steps
 };
 
+/// Eight faces.
+struct alignas(32) FaceBlock {
+    std::int32_t nodes[3][blockWidth];
+    float restArea[blockWidth];  // m2
+};
+
+/// How the air pushes; see AirForces.
+struct AirLaws {
+    float pressure;  // over the square of the speed across a face, kg/m3
+    float shear;     // over the square of the speed along it, kg/m3
+    float substep;   // s
+};
+
 /// The constant by which a link's stretch is divided before its nodes take it back: w for hard links, w / 2 + 1
 /// / (k h^2) for those that a sweep resolves, w the sum of inverse masses; see link_constants.h. Between two
 /// pins 1, as nothing moves.
@@ -90,6 +103,12 @@ struct SmallStepKernels {
     /// @param steps  m a small step; its inverse masses, and those of push, are 0
     void (*advance)(MovingNode* moved, MovingNode* predicted, MovingNode* steps, const MovingNode* push,
                     float keep, std::size_t count);
+
+    /// Adds the forces of the air to the nodes of faces, N.
+    /// @param positions   m; in place of the inverse mass, mass per area, kg/m2
+    /// @param velocities  against the wind, m/s; in place of the inverse mass, permeability to air, m/(s Pa)
+    void (*pushByAir)(MovingNode* forces, const FaceBlock* blocks, const MovingNode* positions,
+                      const MovingNode* velocities, const AirLaws& laws, std::size_t count);
 
     /// Reads off what the links need for this substep.
     /// @param start           positions, m

@@ -9,8 +9,9 @@ namespace avx2 {
 
 const SmallStepKernels& avx2Kernels();
 const SmallStepKernels& avx2Kernels() {
-    static const SmallStepKernels kernels = {"AVX2",           avx2::advance,       avx2::prepareLinks,
-                                             avx2::solveLinks, avx2::preparePlates, avx2::solvePlates};
+    static const SmallStepKernels kernels = {
+        "AVX2",           avx2::advance,       avx2::pushByAir,  avx2::prepareLinks,
+        avx2::solveLinks, avx2::preparePlates, avx2::solvePlates};
     return kernels;
 }
 

@@ -9,19 +9,10 @@
 #include "drench/precision.h"
 #include "sheet_mechanics.h"
 #include "small_step_kernels.h"
+#include "vectors.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
-
-inline btVector3 vectorOf(const MovingNode& node) {
-    return {btScalar(node.x), btScalar(node.y), btScalar(node.z)};
-}
-
-inline void shift(MovingNode& node, const btVector3& by) {
-    node.x += float(by.x());
-    node.y += float(by.y());
-    node.z += float(by.z());
-}
 
 class SmallStepSheet {
   public:

@@ -287,7 +287,7 @@ void SmallStepSolver::State::finish(btScalar substep) {
         each.mechanics->smallSteps = steps;
         each.sheet->contacts.finish(*each.body, each.sheet->cloth, solids, double(substep));
     }
-    solids.finish();
+    solids.finish(*sheets[0].body->m_worldInfo->m_dispatcher);
     softContacts.finish();
 }
 

@@ -71,7 +71,8 @@ void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const bt
         met = true;
         contacts_.push_back({static_cast<int>(n), {}, 0, friction, false});
         const btVector3 point = node.m_x - surface.normal * surface.distance;
-        places_.push_back({index, solid.getCollisionShape(), shapeInSolid, point, surface.normal, btVector3(0, 0, 0), 0});
+        places_.push_back(
+            {index, solid.getCollisionShape(), shapeInSolid, point, surface.normal, btVector3(0, 0, 0), 0});
     }
 }
 

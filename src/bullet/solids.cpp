@@ -1,5 +1,6 @@
 #include "solids.h"
 
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <LinearMath/btTransformUtil.h>
 
 #include <algorithm>
@@ -12,6 +13,16 @@ namespace {
 btRigidBody* rigidBody(const btCollisionObject& object) {
     // Bullet hands out solids as constants, and has them pushed all the same.
     return btRigidBody::upcast(const_cast<btCollisionObject*>(&object));
+}
+
+bool touchesSolids(const btCollisionObject& object, btDispatcher& dispatcher) {
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        if (manifold.getNumContacts() > 0 &&
+            (manifold.getBody0() == &object || manifold.getBody1() == &object))
+            return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -41,15 +52,16 @@ void Solid::advance(double smallStep) {
     turn_ += addedSpin_ * btScalar(smallStep);
 }
 
-void Solid::finish() {
+void Solid::finish(btDispatcher& dispatcher) {
     if (addedVelocity_.isZero() && addedSpin_.isZero()) return;
     btRigidBody* const body = rigidBody(*object_);
     body->setLinearVelocity(body->getLinearVelocity() + addedVelocity_);
     body->setAngularVelocity(body->getAngularVelocity() + addedSpin_);
+    body->activate();
+    if (touchesSolids(*object_, dispatcher)) return;
     btTransform place;
     btTransformUtil::integrateTransform(body->getWorldTransform(), shift_, turn_, 1, place);
     body->setCenterOfMassTransform(place);
-    body->activate();
 }
 
 btScalar Solid::response(const btVector3& arm, const btVector3& direction) const {
@@ -84,8 +96,8 @@ void Solids::advance(double smallStep) {
     for (Solid& solid : solids_) solid.advance(smallStep);
 }
 
-void Solids::finish() {
-    for (Solid& solid : solids_) solid.finish();
+void Solids::finish(btDispatcher& dispatcher) {
+    for (Solid& solid : solids_) solid.finish(dispatcher);
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

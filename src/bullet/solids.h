@@ -1,6 +1,7 @@
 // Solid bodies as the small steps meet them: they go their way, and feel what pushes them.
 #pragma once
 
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <vector>
@@ -24,8 +25,9 @@ class Solid {
     /// Goes on by one small step.
     void advance(double smallStep);
     /// Hands the changes over: of velocity, and of place, without which the cloth would find it elsewhere in
-    /// the next substep than it has left it.
-    void finish();
+    /// the next substep than it has left it. A body that other solids hold keeps its place, however: they
+    /// would have to push it back out of themselves, and Bullet does that slowly.
+    void finish(btDispatcher& dispatcher);
 
     const btCollisionObject& object() const { return *object_; }
     bool isMovable() const { return inverseMass_ > 0; }
@@ -81,7 +83,7 @@ class Solids {
 
     void begin(double substep);
     void advance(double smallStep);
-    void finish();
+    void finish(btDispatcher& dispatcher);
 
   private:
     std::vector<Solid> solids_;

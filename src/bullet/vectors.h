@@ -1,4 +1,4 @@
-// Between Bullet's vectors and Eigen's.
+// Between Bullet's vectors, Eigen's and packed ones.
 #pragma once
 
 #include <LinearMath/btVector3.h>
@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "drench/precision.h"
+#include "small_step_kernels.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -16,6 +17,16 @@ inline Eigen::Vector3d toEigen(const btVector3& v) {
 
 inline btVector3 toBullet(const Eigen::Vector3d& v) {
     return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
+}
+
+inline btVector3 vectorOf(const MovingNode& node) {
+    return {btScalar(node.x), btScalar(node.y), btScalar(node.z)};
+}
+
+inline void shift(MovingNode& node, const btVector3& by) {
+    node.x += float(by.x());
+    node.y += float(by.y());
+    node.z += float(by.z());
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE
