@@ -15,11 +15,11 @@ namespace drench::demo {
 struct DiscMesh {
     std::vector<Eigen::Vector2d> nodes;  // m, x along the warp
     std::vector<std::array<int, 3>> triangles;
-    std::vector<std::array<int, 2>> links;  // the first one along the warp
+    std::vector<std::array<int, 2>> links;
 };
 
 /// A grid along warp and weft with both diagonals of each cell as links, since only such links are stiff along the
-/// threads and soft in shear as woven cloth is; a mesh of equilateral triangles shears hardly at all. Its
+/// threads and soft in shear as woven cloth is; a mesh of equilateral triangles hardly shears. Its
 /// border is moved out to nodes on the circle; so are the nodes nearest to a second circle within.
 /// @param nodesAcross  along a diameter
 /// @param innerRadius  of the second circle, m

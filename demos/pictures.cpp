@@ -18,21 +18,28 @@ Eigen::Vector3f toEigen(const btVector3& v) {
     return {float(v.x()), float(v.y()), float(v.z())};
 }
 
-viewer::SheetMesh sheetMesh(const btSoftBody& body, const WetCloth& cloth) {
+viewer::SheetMesh sheetMesh(const btSoftBody& body, const Eigen::Vector3f& albedo) {
     viewer::SheetMesh mesh;
-    for (int n = 0; n < body.m_nodes.size(); ++n) {
-        const Colour albedo = cloth.albedo(n);
-        mesh.positions.push_back(toEigen(body.m_nodes[n].m_x));
-        mesh.albedo.emplace_back(float(albedo[0]), float(albedo[1]), float(albedo[2]));
-        mesh.gloss.push_back(float(cloth.gloss(n)));
-        mesh.clothCoordinates.push_back(
-            cloth.materialCoordinates()[static_cast<std::size_t>(n)].cast<float>());
-    }
+    for (int n = 0; n < body.m_nodes.size(); ++n) mesh.positions.push_back(toEigen(body.m_nodes[n].m_x));
+    mesh.albedo.assign(mesh.positions.size(), albedo);
+    mesh.gloss.assign(mesh.positions.size(), 0);
     for (int f = 0; f < body.m_faces.size(); ++f) {
         std::array<std::uint32_t, 3> triangle;
         for (std::size_t corner = 0; corner < 3; ++corner)
             triangle[corner] = static_cast<std::uint32_t>(body.m_faces[f].m_n[corner] - &body.m_nodes[0]);
         mesh.triangles.push_back(triangle);
+    }
+    return mesh;
+}
+
+viewer::SheetMesh sheetMesh(const btSoftBody& body, const WetCloth& cloth) {
+    viewer::SheetMesh mesh = sheetMesh(body, Eigen::Vector3f::Zero());
+    for (int n = 0; n < body.m_nodes.size(); ++n) {
+        const auto place = static_cast<std::size_t>(n);
+        const Colour albedo = cloth.albedo(n);
+        mesh.albedo[place] = {float(albedo[0]), float(albedo[1]), float(albedo[2])};
+        mesh.gloss[place] = float(cloth.gloss(n));
+        mesh.clothCoordinates.push_back(cloth.materialCoordinates()[place].cast<float>());
     }
     return mesh;
 }

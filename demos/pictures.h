@@ -13,6 +13,9 @@ Eigen::Vector3f toEigen(const btVector3& v);
 /// A wet sheet as it is now: where it is, and coloured by its water.
 viewer::SheetMesh sheetMesh(const btSoftBody& body, const WetCloth& cloth);
 
+/// A sheet without water as it is now, all of one colour.
+viewer::SheetMesh sheetMesh(const btSoftBody& body, const Eigen::Vector3f& albedo);
+
 /// A rigid ball as it is now. @pre its shape is a btSphereShape
 viewer::Ball ball(const btRigidBody& body);
 

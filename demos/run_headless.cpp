@@ -22,6 +22,7 @@ namespace {
 
 constexpr int pictureWidth = 1280;
 constexpr int pictureHeight = 720;
+constexpr int sideWidth = 480, sideHeight = 600;  // of pictures side by side
 
 /// Draws and keeps the pictures of a run.
 class Album {
@@ -39,6 +40,16 @@ class Album {
         writePng(folder_ / (name + ".png"), image);
         images_.push_back(renderer_.capture(picture, pictureWidth / 3, pictureHeight / 3));
         return took;
+    }
+
+    void addSideBySide(const Scene& scene) {
+        std::vector<viewer::Image> row;
+        for (const viewer::Picture& picture : scene.sideBySide())
+            row.push_back(renderer_.capture(picture, sideWidth, sideHeight));
+        constexpr int gap = 4;
+        if (row.empty()) return;
+        writePng(folder_ / (scene.sideBySideName() + ".png"),
+                 viewer::contactSheet(row, int(row.size()), gap));
     }
 
     /// All moments side by side.
@@ -119,6 +130,7 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     scene.report(std::cout);
     writeResult(options, scene, log);
     writeDrawings(options, scene);
+    if (album) album->addSideBySide(scene);
     if (album) album->writeContactSheet();
 
     const auto failures = scene.failures();

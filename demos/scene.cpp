@@ -7,6 +7,7 @@
 #include "scenes/drape_meter.h"
 #include "scenes/rain.h"
 #include "scenes/spill.h"
+#include "scenes/stock_and_drench.h"
 #include "scenes/ten_steps.h"
 #include "scenes/wick.h"
 
@@ -44,6 +45,11 @@ const std::vector<SceneEntry>& scenes() {
          false,
          [](const SceneOptions& options) -> std::unique_ptr<Scene> {
              return std::make_unique<Wick>(options);
+         }},
+        {"stock-and-drench",
+         "a sheet hung by two corners: stock Bullet, Drench dry and wet, each in one substep a frame", false,
+         [](const SceneOptions& options) -> std::unique_ptr<Scene> {
+             return std::make_unique<StockAndDrench>(options);
          }},
         {"clothesline",
          "soaked laundry drips, then dries in time-lapse; CSV of mass, film, pores, dripped, evaporated",

@@ -61,6 +61,9 @@ class Scene {
     virtual std::optional<std::string> moment() const { return std::nullopt; }
     /// Images of its own that go with the result.
     virtual std::vector<Drawing> drawings() const { return {}; }
+    /// Pictures that belong side by side, at the end; they come into one image under `sideBySideName`.
+    virtual std::vector<viewer::Picture> sideBySide() const { return {}; }
+    virtual std::string sideBySideName() const { return "side-by-side"; }
     /// Tells the scene how long a picture took to draw, s.
     virtual void noteDrawTime(double) {}
 

@@ -8,10 +8,10 @@
 
 namespace drench::demo {
 
-TimedScene::TimedScene(const SceneOptions& options, double ownDuration)
+TimedScene::TimedScene(const SceneOptions& options, double ownDuration, const SmallSteps& steps)
     : fabric_(fabrics::byName(options.fabric)),
       duration_(options.seconds > 0 ? options.seconds : ownDuration),
-      bullet_(makeWorld(options.world, options.solver)) {}
+      bullet_(makeWorld(options.world, options.solver, steps)) {}
 
 double TimedScene::progress() const {
     return std::min(1.0, time_ / duration_);

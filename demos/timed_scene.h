@@ -21,7 +21,8 @@ class TimedScene : public Scene {
 
   protected:
     /// @param ownDuration in seconds, where the options ask for none
-    TimedScene(const SceneOptions& options, double ownDuration);
+    /// @param steps  of a SmallStepSolver
+    TimedScene(const SceneOptions& options, double ownDuration, const SmallSteps& steps = {});
 
     /// Chooses as many substeps as a sheet with this step bound needs, s; where fewer only make links softer,
     /// not more than `most`.

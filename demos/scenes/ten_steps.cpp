@@ -51,7 +51,7 @@ double cottonSpacing() {
 }
 
 /// The sag hangs on the few links at the corners, which carry far more than the mean that the solver's own
-/// choice goes by. With as many small steps as nodes along the warp, twice as many change it by 2 % or less.
+/// choice goes by. With as many small steps as nodes along the warp, twice as many change it by 2 % or so.
 SmallSteps smallSteps(int nodesWarp) {
     constexpr int multiple = 4;  // lets the solver spare plates
     SmallSteps chosen;

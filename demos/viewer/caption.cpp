@@ -40,6 +40,21 @@ void addFont(ImFontAtlas& fonts, float pixels) {
     fonts.AddFontDefault(&config);
 }
 
+constexpr float lineSpacing = 1.12f;
+
+float heightOf(const std::string& line, float width) {
+    const ImFont* const font = ImGui::GetFont();
+    const char* const begin = line.c_str();
+    const float height = font->CalcTextSizeA(font->FontSize, FLT_MAX, width, begin, begin + line.size()).y;
+    return lineSpacing * std::max(height, font->FontSize);
+}
+
+float heightOf(const std::vector<std::string>& lines, float width) {
+    float height = 0;
+    for (const std::string& line : lines) height += heightOf(line, width);
+    return height;
+}
+
 float drawLine(ImDrawList& canvas, const std::string& line, float left, float top, float width) {
     const ImFont* const font = ImGui::GetFont();
     const float size = font->FontSize;
@@ -57,8 +72,7 @@ float drawLine(ImDrawList& canvas, const std::string& line, float left, float to
     }
     write(rim, rim, IM_COL32(10, 14, 20, 150));
     write(0.0f, 0.0f, IM_COL32(255, 255, 255, 255));
-    const float height = font->CalcTextSizeA(size, FLT_MAX, width, begin, end).y;
-    return top + 1.12f * std::max(height, size);
+    return top + heightOf(line, width);
 }
 
 }  // namespace
@@ -75,7 +89,7 @@ void Caption::loadFont(float pixels) {
     fontPixels_ = pixels;
 }
 
-void Caption::draw(const std::vector<std::string>& lines, int width, int height) {
+void Caption::draw(const std::vector<std::string>& lines, int width, int height, bool below) {
     if (lines.empty()) {
         return;
     }
@@ -87,7 +101,7 @@ void Caption::draw(const std::vector<std::string>& lines, int width, int height)
     ImGui::NewFrame();
     const float margin = std::round(0.7f * fontPixels_);
     const float room = std::max(io.DisplaySize.x - 2.0f * margin, fontPixels_);
-    float top = margin;
+    float top = below ? io.DisplaySize.y - margin - heightOf(lines, room) : margin;
     for (const std::string& line : lines) {
         top = drawLine(*ImGui::GetForegroundDrawList(), line, margin, top, room);
     }

@@ -8,7 +8,7 @@
 
 namespace drench::viewer {
 
-// Writes lines of text at the top left of a framebuffer, about 1/22 of its height each, white with a dark
+// Writes lines of text at the top or the bottom left of a framebuffer, about 1/22 of its height each, white with a dark
 // rim.
 class Caption {
   public:
@@ -16,7 +16,7 @@ class Caption {
     Caption() = default;
 
     // Draws into the bound framebuffer of width x height pixels; leaves the current ImGui context as it was.
-    void draw(const std::vector<std::string>& lines, int width, int height);
+    void draw(const std::vector<std::string>& lines, int width, int height, bool below);
 
   private:
     void loadFont(float pixels);

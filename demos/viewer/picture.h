@@ -100,6 +100,8 @@ struct Picture {
     Camera camera;
     // Lines of UTF-8 text, written from the top left corner downwards; long lines are wrapped.
     std::vector<std::string> caption;
+    // The same along the lower edge.
+    bool captionBelow = false;
 };
 
 }  // namespace drench::viewer

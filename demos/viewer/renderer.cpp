@@ -252,7 +252,7 @@ void Renderer::Scene::draw(const Picture& picture, int width, int height, unsign
     drawShadows(sunUniforms(uniforms, shadow));
     drawScene(uniforms);
     present(framebuffer, width, height);
-    caption_.draw(picture.caption, width, height);
+    caption_.draw(picture.caption, width, height, picture.captionBelow);
     errors_.poll();
 }
 

@@ -12,15 +12,21 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// How a SmallStepSolver divides Bullet's substeps.
 struct SmallSteps {
-    /// Small steps in each substep, 1 to 1000. 0, the default: as many as `stretchTolerance` asks for.
+    /// Small steps in each substep, 1 to 1000. 0, the default: as many as `stretchTolerance` and the bending
+    /// of the cloth ask for, at least 4, and of all sheets in a world as many as for the one that needs most.
     int count = 0;
 
-    /// Mean strain that a hanging sheet may show beyond its own, 1; 1e-5 to 1. Default 0.01. A link that a
-    /// step of h seconds is too long for acts as soft as m / h^2, m the mass of a node. Under its own weight a
-    /// sheet of height H, link length l, areal density rho and stretch stiffness c then strains on average
-    /// by g H / 2 (h^2 / l^2 - rho / c) too much, so the step is h = l sqrt(2 tolerance / (g H) + rho / c),
-    /// and at most a quarter of the substep. An estimate: of sheets hung by points or loaded otherwise, and
-    /// of all sheets in a world the shortest step counts.
+    /// Mean strain that a hanging sheet may show beyond its own, 1; 1e-5 to 1. Default 0.01.
+    ///
+    /// A link that a step of h seconds is too long for acts as soft as m / h^2, m the mass of a node. Under
+    /// its own weight a sheet of height H, link length l, areal density rho and stretch stiffness c then
+    /// strains on average by g H / 2 (h^2 / l^2 - rho / c) too much, so the step is at most
+    /// l sqrt(2 tolerance / (g H) + rho / c). An estimate, by the sheet's longer side and its mean link: a
+    /// sheet hung by points, or with something else hanging on it, strains more.
+    ///
+    /// Bending has its rigidity B up to about h = 0.17 l^2 sqrt(rho / B), or 0.1 l^2 sqrt(rho / B) with
+    /// bending friction, which is stiffer still until it slides; that is the other limit. With a count that is
+    /// set lower, fine cloth is limp.
     double stretchTolerance = 0.01;
 
     /// Whether nodes are tethered to the nearest pin (Kim et al. 2012, "Long range attachments"), so that fine

@@ -157,12 +157,12 @@ void takeBack(MovingNode* nodes, const MovingNode* masses, const Components& com
     }
 }
 
-void solvePlates(MovingNode* moved, const PlateBlock* blocks, const PlateWeights* weights,
-                 std::size_t count) {
+void solvePlates(MovingNode* to, const MovingNode* from, const PlateBlock* blocks,
+                 const PlateWeights* weights, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const PlateWeights& own = weights[blocks[i].weights];
         for (std::size_t lane = 0; lane < blockWidth; ++lane)
-            takeBack(moved, moved, curvature(moved, blocks[i], own, lane), blocks[i], own, lane);
+            takeBack(to, from, curvature(from, blocks[i], own, lane), blocks[i], own, lane);
     }
 }
 
@@ -222,8 +222,7 @@ void preparePlate(MovingNode* push, PlateBlock& block, PlateState& state, const 
     share(block, weights, start, 1 / (held * state.area[lane] * between * between), times.every, lane);
     for (std::size_t m = 0; m < 3; ++m)
         for (std::size_t axis = 0; axis < 3; ++axis)
-            components.of[m][axis] =
-                (components.of[m][axis] * rigidity + normal[axis] * moments[m]) / (held * times.every);
+            components.of[m][axis] = (components.of[m][axis] * rigidity + normal[axis] * moments[m]) / held;
     takeBack(push, start, components, block, weights, lane);
 }
 

@@ -53,7 +53,7 @@ struct PlateLaws {
     float frictionStiffness;  // bending rigidity of friction that holds, over that of the cloth
 };
 
-/// How plates are divided in time. Cloth is so soft to bend that they need not be solved in each small step.
+/// How plates are divided in time. Cloth is so soft to bend that its moments may stand for several small steps.
 struct PlateTimes {
     float smallStep;  // s
     float every;      // so many small steps
@@ -86,12 +86,12 @@ static inline float linkDivisor(float inverseMass, float compliance) {
 /// components at once must not take back more than there is, hence the sum of their responses as the limit.
 /// @param response     of this component to its own moment, the sum of inverse masses x squared weights
 /// @param all          the sum of the three responses
-/// A plate that is solved every n small steps works for all of them: it may move its nodes so far that they
-/// end up right after n steps.
+/// A plate whose moments stand for n small steps moves its nodes in each of them by the n-th part of the n-th
+/// part of what would put it right: n steps of so much more speed each come to the whole.
 /// @param compliance   1 / (rigidity x area x (n h)^2)
 static inline float plateShare(float response, float all, float compliance, float every) {
     const float soft = 0.5f * response + compliance;
-    return 1 / ((soft > all ? soft : all) * every);
+    return 1 / ((soft > all ? soft : all) * every * every);
 }
 
 struct SmallStepKernels {
@@ -126,9 +126,10 @@ struct SmallStepKernels {
                           const PlateWeights* weights, const PlateLaws& laws, const MovingNode* start,
                           const NodeRatios* ratios, const PlateTimes& times, std::size_t count);
 
-    /// One sweep over plates: each takes back what its curvature has changed since the substep began.
-    void (*solvePlates)(MovingNode* moved, const PlateBlock* blocks, const PlateWeights* weights,
-                        std::size_t count);
+    /// Each plate moves nodes of `to` against what its curvature has changed at `from` since the substep
+    /// began; both may be the same.
+    void (*solvePlates)(MovingNode* to, const MovingNode* from, const PlateBlock* blocks,
+                        const PlateWeights* weights, std::size_t count);
 };
 
 const SmallStepKernels& scalarKernels();

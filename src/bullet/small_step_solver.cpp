@@ -81,18 +81,14 @@ class SolidsToCome final : public btBroadphaseAabbCallback {
 
 /// Bounds for the broadphase around where the nodes are and might come.
 void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
-    btVector3 low = body.m_nodes[0].m_x, high = low;
-    for (std::size_t n = 0; n < cloth.size(); ++n) {
-        const btVector3& from = body.m_nodes[static_cast<int>(n)].m_x;
-        const btVector3 to = from + vectorOf(cloth.reach(n));
-        low.setMin(from);
-        low.setMin(to);
-        high.setMax(from);
-        high.setMax(to);
+    Bounds all = cloth.bounds()[0];
+    for (const Bounds& bounds : cloth.bounds()) {
+        all.take(bounds.low);
+        all.take(bounds.high);
     }
-    const btScalar margin = 2 * body.getCollisionShape()->getMargin();
-    body.m_bounds[0] = low - btVector3(margin, margin, margin);
-    body.m_bounds[1] = high + btVector3(margin, margin, margin);
+    all.grow(2 * body.getCollisionShape()->getMargin());
+    body.m_bounds[0] = all.low;
+    body.m_bounds[1] = all.high;
     if (!body.getBroadphaseHandle()) return;
     btBroadphaseInterface& broadphase = *body.m_worldInfo->m_broadphase;
     constexpr auto everywhere = btScalar(1e18);
@@ -106,6 +102,7 @@ void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
 /// Readies the trees and the node states in which Bullet looks for contacts of soft bodies, so that it finds
 /// those that may come within the substep: around each node it looks twice as far as from m_x to m_q.
 void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth) {
+    if (body.m_fdbvt.empty()) body.initializeFaceTree();  // which else comes with the first stock step
     const btScalar margin = body.getCollisionShape()->getMargin();
     ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
     btScalar farthest = 0;

@@ -11,22 +11,6 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-/// A box that may hold points.
-struct Bounds {
-    btVector3 low, high;
-
-    void grow(btScalar by) {
-        low -= btVector3(by, by, by);
-        high += btVector3(by, by, by);
-    }
-    bool meets(const btVector3& from, const btVector3& to) const {
-        for (int axis = 0; axis < 3; ++axis)
-            if (std::max(from[axis], to[axis]) < low[axis] || std::min(from[axis], to[axis]) > high[axis])
-                return false;
-        return true;
-    }
-};
-
 /// How far the solid itself may come towards a node within the substep.
 btVector3 ownMotion(const btCollisionObject& object, const btVector3& point, double substep) {
     const btRigidBody* const body = movingBody(object);
@@ -39,41 +23,108 @@ btVector3 ownMotion(const btCollisionObject& object, const btVector3& point, dou
 void SolidContacts::clear() {
     contacts_.clear();
     places_.clear();
+    mesh_ = nullptr;
 }
+
+/// A solid, or a part of one, that nodes are looked for around.
+struct SolidContacts::Touching {
+    const btCollisionObject& object;
+    const btCollisionShape& shape;
+    const btTransform& transform;  // of the shape
+    btTransform shapeInSolid;
+    bool isTriangle;
+    std::size_t solid;  // index
+    Bounds bounds;
+    btScalar margin;
+    float friction;
+    double substep;
+};
 
 void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const btCollisionObjectWrapper& solid,
                          double substep, Solids& solids) {
     const btCollisionObject& object = *solid.getCollisionObject();
     if (!object.hasContactResponse()) return;
-    const btScalar margin = body.getCollisionShape()->getMargin();
-    Bounds bounds;
-    solid.getCollisionShape()->getAabb(solid.getWorldTransform(), bounds.low, bounds.high);
-    const btVector3 centre = (bounds.low + bounds.high) / 2;
-    const btScalar motion = ownMotion(object, centre, substep).length();
-    bounds.grow(2 * margin + motion + sheet.farthestReach());
-
-    const btTransform shapeInSolid = object.getWorldTransform().inverseTimes(solid.getWorldTransform());
-    const auto friction = float(body.m_cfg.kDF * object.getFriction());
-    std::size_t index = 0;
-    bool met = false;
-    for (std::size_t n = 0; n < sheet.size(); ++n) {
-        const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-        const btVector3 reach = vectorOf(sheet.reach(n));
-        if (!bounds.meets(node.m_x, node.m_x + reach) || !(node.m_im > 0) || node.m_battach) continue;
-        const SurfacePoint surface = nearestSurface(*solid.getCollisionShape(), solid.getWorldTransform(),
-                                                    node.m_x, body.m_worldInfo->m_sparsesdf);
-        // Its neighbours may pull a node on further than it would go by itself.
-        const btVector3 approach = reach - ownMotion(object, node.m_x, substep);
-        const btScalar slack = margin + approach.length();
-        if (surface.distance > margin + slack + std::max(btScalar(0), -approach.dot(surface.normal)))
-            continue;
-        if (!met) index = solids.indexOf(object);
-        met = true;
-        contacts_.push_back({static_cast<int>(n), {}, 0, friction, false});
-        const btVector3 point = node.m_x - surface.normal * surface.distance;
-        places_.push_back(
-            {index, solid.getCollisionShape(), shapeInSolid, point, surface.normal, btVector3(0, 0, 0), 0});
+    const btCollisionShape& shape = *solid.getCollisionShape();
+    const btTransform& transform = solid.getWorldTransform();
+    Touching with{object,
+                  shape,
+                  transform,
+                  object.getWorldTransform().inverseTimes(transform),
+                  isTriangleOfMesh(shape, *object.getCollisionShape()),
+                  solids.indexOf(object),
+                  {},
+                  body.getCollisionShape()->getMargin(),
+                  float(body.m_cfg.kDF * object.getFriction()),
+                  substep};
+    shape.getAabb(transform, with.bounds.low, with.bounds.high);
+    const btVector3 centre = (with.bounds.low + with.bounds.high) / 2;
+    with.bounds.grow(2 * with.margin + ownMotion(object, centre, substep).length() + sheet.farthestReach());
+    if (with.isTriangle && mesh_ != &object) {
+        mesh_ = &object;
+        meshContacts_.assign(sheet.size(), {-1, -1, -1});
     }
+
+    for (std::size_t part = 0; part < sheet.bounds().size(); ++part) {
+        if (!with.bounds.meets(sheet.bounds()[part])) continue;
+        const std::size_t first = part * SmallStepSheet::nodesOfBounds;
+        const std::size_t end = std::min(first + SmallStepSheet::nodesOfBounds, sheet.size());
+        for (std::size_t n = first; n < end; ++n) findNode(body, sheet, n, with);
+    }
+}
+
+void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std::size_t n,
+                             const Touching& with) {
+    const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+    const btVector3 reach = vectorOf(sheet.reach(n));
+    Bounds path{node.m_x, node.m_x};
+    path.take(node.m_x + reach);
+    if (!with.bounds.meets(path) || !(node.m_im > 0) || node.m_battach) return;
+    const SurfacePoint surface =
+        with.isTriangle ? nearestOnTriangle(with.shape, with.transform, node.m_x)
+                        : nearestSurface(with.shape, with.transform, node.m_x, body.m_worldInfo->m_sparsesdf);
+    // Its neighbours may pull a node on further than it would go by itself.
+    const btVector3 approach = reach - ownMotion(with.object, node.m_x, with.substep);
+    const btScalar slack = with.margin + approach.length();
+    if (surface.distance > with.margin + slack + std::max(btScalar(0), -approach.dot(surface.normal))) return;
+
+    const Place place{with.solid,
+                      &with.shape,
+                      with.isTriangle,
+                      with.shapeInSolid,
+                      node.m_x - surface.normal * surface.distance,
+                      surface.normal,
+                      btVector3(0, 0, 0),
+                      0};
+    const std::size_t at =
+        with.isTriangle ? placeOnMesh(n, place, surface.distance, node.m_x) : contacts_.size();
+    if (at == contacts_.size()) {
+        contacts_.push_back({static_cast<int>(n), {}, 0, with.friction, false});
+        places_.push_back(place);
+    } else if (at < contacts_.size()) {
+        places_[at] = place;
+    }
+}
+
+std::size_t SolidContacts::placeOnMesh(std::size_t n, const Place& place, btScalar distance,
+                                       const btVector3& start) {
+    constexpr btScalar sameWay = btScalar(0.7);
+    const std::size_t nowhere = contacts_.size() + 1;
+    const auto distanceOf = [&](int contact) {
+        const Place& other = places_[static_cast<std::size_t>(contact)];
+        return (start - other.point).dot(other.normal);
+    };
+    int* farthest = nullptr;
+    for (int& known : meshContacts_[n]) {
+        if (known < 0) {
+            known = static_cast<int>(contacts_.size());
+            return contacts_.size();
+        }
+        const auto at = static_cast<std::size_t>(known);
+        if (places_[at].normal.dot(place.normal) > sameWay)
+            return distanceOf(known) > distance ? at : nowhere;
+        if (!farthest || distanceOf(known) > distanceOf(*farthest)) farthest = &known;
+    }
+    return distanceOf(*farthest) > distance ? static_cast<std::size_t>(*farthest) : nowhere;
 }
 
 void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids) {
@@ -104,10 +155,13 @@ void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const S
 void SolidContacts::follow(Place& place, const btSoftBody& body, const btVector3& start,
                            const Solid& solid) const {
     // As the node sees it from there, not turned with the solid: a ball that spins in one place stays the same.
-    const SurfacePoint surface = nearestSurface(*place.shape, solid.end() * place.shapeInSolid,
-                                                start + solid.path(), body.m_worldInfo->m_sparsesdf);
+    const btTransform transform = solid.end() * place.shapeInSolid;
+    const btVector3 point = start + solid.path();
+    const SurfacePoint surface =
+        place.isTriangle ? nearestOnTriangle(*place.shape, transform, point)
+                         : nearestSurface(*place.shape, transform, point, body.m_worldInfo->m_sparsesdf);
     place.normal = surface.normal;
-    place.point = start + solid.path() - surface.normal * surface.distance;
+    place.point = point - surface.normal * surface.distance;
 }
 
 void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {

@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletSoftBody/btSoftBody.h>
 
+#include <array>
 #include <vector>
 
 #include "drench/precision.h"
@@ -34,6 +35,7 @@ class SolidContacts {
     void finish(btSoftBody& body, const SmallStepSheet& sheet, const Solids& solids, double substep) const;
 
   private:
+    struct Touching;
     struct Contact {
         int node;
         float normal[3];
@@ -45,6 +47,7 @@ class SolidContacts {
     struct Place {
         std::size_t solid;
         const btCollisionShape* shape;
+        bool isTriangle;  // of a mesh
         btTransform shapeInSolid;
         btVector3 point;   // of the plane, as the substep begins; then as it ends
         btVector3 normal;  // likewise
@@ -52,6 +55,9 @@ class SolidContacts {
         btScalar response;
     };
 
+    void findNode(btSoftBody& body, const SmallStepSheet& sheet, std::size_t n, const Touching& with);
+    /// Where the contact of a node with a mesh goes; see meshContacts_.
+    std::size_t placeOnMesh(std::size_t n, const Place& place, btScalar distance, const btVector3& start);
     /// Moves the plane to where the solid is as the substep ends.
     void follow(Place& place, const btSoftBody& body, const btVector3& start, const Solid& solid) const;
     void hold(SmallStepSheet& sheet, const Contact& contact, const Place& place, Solid& solid,
@@ -59,6 +65,10 @@ class SolidContacts {
 
     std::vector<Contact> contacts_;
     std::vector<Place> places_;
+    // A node meets many triangles of a mesh, and stays on its side of the nearest of those that face the same
+    // way, of three ways at most. The contacts with the mesh that was met last, of each node; -1 for none.
+    std::vector<std::array<int, 3>> meshContacts_;
+    const btCollisionObject* mesh_ = nullptr;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -2,7 +2,9 @@
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
 #include <algorithm>
 
@@ -60,6 +62,28 @@ SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& tr
         default:
             found.distance = field.Evaluate(local, &shape, found.normal, 0);
     }
+    found.normal = transform.getBasis() * found.normal;
+    return found;
+}
+
+bool isTriangleOfMesh(const btCollisionShape& shape, const btCollisionShape& shapeOfSolid) {
+    constexpr int corners = 6;
+    return shapeOfSolid.isConcave() && shape.getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE &&
+           static_cast<const btConvexHullShape&>(shape).getNumPoints() == corners;
+}
+
+SurfacePoint nearestOnTriangle(const btCollisionShape& hull, const btTransform& transform,
+                               const btVector3& point) {
+    const auto& corners = static_cast<const btConvexHullShape&>(hull);
+    const auto corner = [&](int i) {
+        return (corners.getScaledPoint(i) + corners.getScaledPoint(i + 3)) / 2;
+    };
+    const btVector3 local = transform.invXform(point), a = corner(0), b = corner(1), c = corner(2);
+    btVoronoiSimplexSolver simplex;
+    btSubSimplexClosestResult nearest;
+    simplex.closestPtPointTriangle(local, a, b, c, nearest);
+    SurfacePoint found = around(local - nearest.m_closestPointOnSimplex, 0);
+    if (!(found.distance > SIMD_EPSILON)) found.normal = (b - a).cross(c - a).normalized();
     found.normal = transform.getBasis() * found.normal;
     return found;
 }

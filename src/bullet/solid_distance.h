@@ -19,5 +19,13 @@ struct SurfacePoint {
 SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& transform,
                             const btVector3& point, btSparseSdf<3>& field);
 
+/// Whether a shape is a triangle of a mesh, which Bullet hands out as a hull of six points, three on either side
+/// and far off, so that soft bodies float above meshes.
+bool isTriangleOfMesh(const btCollisionShape& shape, const btCollisionShape& shapeOfSolid);
+
+/// The nearest point of such a triangle, of no thickness; outwards is where the point is.
+SurfacePoint nearestOnTriangle(const btCollisionShape& hull, const btTransform& transform,
+                               const btVector3& point);
+
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

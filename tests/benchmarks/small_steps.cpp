@@ -46,7 +46,7 @@ double median(std::vector<double> values) {
 /// How a sheet is moved.
 enum class Mover { stockInColours, stockInMeshOrder, smallSteps };
 
-/// A cotton sheet of a square metre that hangs from its upper edge, perhaps over a ball beside it.
+/// A cotton sheet of a square metre, held at one edge. It hangs; or it is let go level, and falls on a ball.
 class Hanging {
   public:
     Hanging(Mover mover, int nodes, int steps, bool withBall)
@@ -56,13 +56,14 @@ class Hanging {
           bullet_(mover == Mover::smallSteps ? &solver_ : nullptr) {
         sheet_ = makeSheet(
             bullet_.world().getWorldInfo(), fabric_,
-            flatCorners({btScalar(-side / 2), 0, 0}, {btScalar(side), 0, 0}, {0, btScalar(-side), 0}), nodes,
-            nodes);
+            flatCorners({btScalar(-side / 2), 0, 0}, {btScalar(side), 0, 0},
+                        withBall ? btVector3(0, 0, btScalar(side)) : btVector3(0, btScalar(-side), 0)),
+            nodes, nodes);
         for (int i = 0; i < nodes; ++i) sheet_->m_nodes[i].m_im = 0;
         if (mover == Mover::stockInMeshOrder) putLinksInMeshOrder();
         if (mover != Mover::smallSteps) sheet_->m_cfg.piterations = 10;
         bullet_.world().addSoftBody(sheet_.get());
-        if (withBall) ball_ = &bullet_.addBall({0, btScalar(-0.7), btScalar(0.2)}, ballRadius, 0);
+        if (withBall) ball_ = &bullet_.addBall({0, btScalar(-0.5), btScalar(0.5)}, ballRadius, 0);
         if (mover != Mover::smallSteps) return;
         cloth_ = std::make_unique<WetCloth>(bullet_.world(), *sheet_, fabric_);
         cloth_->soak(wetness);

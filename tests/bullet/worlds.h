@@ -163,8 +163,7 @@ inline double fastest(const btSoftBody& body) {
 
 inline double lowest(const btSoftBody& body) {
     double height = 1e9;
-    for (int n = 0; n < body.m_nodes.size(); ++n)
-        height = std::min(height, double(body.m_nodes[n].m_x.y()));
+    for (int n = 0; n < body.m_nodes.size(); ++n) height = std::min(height, double(body.m_nodes[n].m_x.y()));
     return height;
 }
 

@@ -41,12 +41,25 @@ expect 2 'run with --headless' drape
 expect 2 '/proc/no/such.csv' drape --headless --seconds 0.1 --resolution 8 --csv /proc/no/such.csv
 
 expect 2 '/proc/no' drape --headless --seconds 0.1 --resolution 8 --frames /proc/no/pictures
+expect 2 'does not run in the deformable world; these do: ten-steps' rain --headless --world deformable
+expect 2 "has Bullet's own solver" drape --headless --world deformable --solver small-step
+expect 2 'solver' drape --headless --solver fast
 expect 1 'before anything was measured' ten-steps --headless --seconds 0.5 --resolution 8
 
 expect 0 'check passed' drape --headless --seconds 0.2 --resolution 12 --csv "$folder/new/drape.csv" \
   --frames "$folder/frames" --every 5
 exists "$folder/new/drape.csv" "$folder/frames/frame-000005.png" "$folder/frames/frame-000010.png" \
   "$folder/frames/contact-sheet.png"
+
+# Stock Bullet, and the deformable world.
+for choice in '--solver stock' '--world deformable'; do
+  # shellcheck disable=SC2086
+  expect 0 'check passed' drape --headless --seconds 0.2 --resolution 12 $choice
+done
+expect 0 'Substeps per frame' ten-steps --headless --seconds 5 --resolution 8 --world deformable
+expect 0 'check passed' stock-and-drench --headless --seconds 2 --resolution 24 --frames "$folder/side"
+expect 0 'drape_%' drape-meter --headless --fabric denim --resolution 24 --frames "$folder/meter"
+exists "$folder/side/stock-and-drench.png" "$folder/meter/silhouette-dry.png" "$folder/meter/silhouette-wet.png"
 
 # Every scene runs, and logs the water of each frame under the same names.
 water='time_s,supplied_kg,pore_kg,film_kg,dripped_kg,evaporated_kg,returned_kg,mean_saturation'

@@ -79,7 +79,7 @@ TEST(TenSteps, TheReportPutsFiveStepsSideBySide) {
     std::ostringstream text;
     coarseRun().report(text);
     EXPECT_NE(text.str().find("side by side"), std::string::npos);
-    EXPECT_NE(text.str().find("Substeps"), std::string::npos);
+    EXPECT_NE(text.str().find("Small steps per frame"), std::string::npos);
 }
 
 /// A scene that is over at once and says that something is wrong, or not.

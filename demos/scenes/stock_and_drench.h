@@ -1,0 +1,43 @@
+// The same hanging sheet with stock Bullet and with Drench.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../scene.h"
+
+namespace drench::demo {
+
+/// A square metre of cloth, 64 x 64 nodes, hangs by its two upper corners: with stock Bullet and 10 iterations,
+/// with Drench dry, and with Drench saturated. All have one substep of 1/60 s a frame.
+class StockAndDrench final : public Scene {
+  public:
+    explicit StockAndDrench(const SceneOptions& options);
+    ~StockAndDrench() override;
+
+    void advance() override;
+    bool finished() const override { return time_ >= duration_; }
+    double progress() const override { return time_ / duration_; }
+    std::string status() const override;
+    viewer::Picture picture() const override;
+    std::vector<viewer::Picture> sideBySide() const override;
+    std::string sideBySideName() const override { return "stock-and-drench"; }
+    std::vector<SceneSheet> sheets() override;
+    double& windSpeed() override { return windSpeed_; }
+    std::optional<Table> result() const override;
+    void report(std::ostream& out) const override;
+    std::vector<std::string> failures() const override;
+
+  private:
+    class Exhibit;
+
+    double duration_;  // s
+    double time_ = 0;  // s
+    int frames_ = 0;
+    double windSpeed_ = 0;  // m/s
+    std::array<std::unique_ptr<Exhibit>, 3> exhibits_;
+};
+
+}  // namespace drench::demo

@@ -1,0 +1,182 @@
+// Sheets that touch each other or other soft bodies, tethers, and what a SmallStepSolver refuses and reports.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "worlds.h"
+
+namespace drench {
+namespace {
+
+btVector3 momentum(const btSoftBody& body) {
+    btVector3 sum(0, 0, 0);
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        if (body.m_nodes[n].m_im > 0) sum += body.m_nodes[n].m_v / body.m_nodes[n].m_im;
+    return sum;
+}
+
+/// A level sheet that touches other soft bodies.
+std::unique_ptr<btSoftBody> touchingSheet(btSoftBodyWorldInfo& info, double side, int nodes, double height) {
+    auto sheet = test::levelSheet(info, fabrics::cottonPlain(), side, nodes, height);
+    sheet->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
+    return sheet;
+}
+
+TEST(SmallStepTouch, TwoSheetsThatMeetKeepTheirMomentumAndDoNotPass) {
+    test::SmallStepWorld rig;
+    rig.setGravity({0, 0, 0});
+    btSoftBody& lower = rig.add(touchingSheet(rig.info(), 0.5, 21, 0));
+    btSoftBody& upper = rig.add(touchingSheet(rig.info(), 0.3, 12, 0.05));
+    for (btSoftBody* body : {&lower, &upper})
+        rig.cover(*body, fabrics::cottonPlain(), test::withoutAir()).air().vapourExchange = 0;
+    test::setVelocity(upper, {0, -1, 0});
+    const btVector3 before = momentum(lower) + momentum(upper);
+    double largestShare = 0;
+    for (int i = 0; i < 20; ++i) {
+        rig.run(1.0 / 60);
+        largestShare = std::max(largestShare, double(momentum(lower).y() / before.y()));
+    }
+    const btVector3 after = momentum(lower) + momentum(upper);
+    EXPECT_GT(largestShare, 0.3) << "the lower sheet has not been hit";
+    // The air takes some of it.
+    EXPECT_NEAR(double((after - before).length() / before.length()), 0, 0.12);
+    EXPECT_LT(std::abs(double(after.x() + after.z())), 1e-3 * double(before.length()));
+    EXPECT_GT(test::lowest(upper), test::lowest(lower) - 0.01);
+}
+
+TEST(SmallStepTouch, ASheetRestsOnAPatchThatBulletMovesAndWeighsOnIt) {
+    const auto sagOfPatch = [](bool loaded) {
+        test::SmallStepWorld rig;
+        std::unique_ptr<btSoftBody> made(btSoftBodyHelpers::CreatePatch(
+            rig.info(), {btScalar(-0.3), 0, btScalar(-0.3)}, {btScalar(0.3), 0, btScalar(-0.3)},
+            {btScalar(-0.3), 0, btScalar(0.3)}, {btScalar(0.3), 0, btScalar(0.3)}, 13, 13, 1 + 2 + 4 + 8,
+            true));
+        made->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
+        made->m_cfg.piterations = 4;
+        made->getCollisionShape()->setMargin(btScalar(0.01));
+        made->setTotalMass(btScalar(0.05));
+        btSoftBody& patch = rig.add(std::move(made));
+        btSoftBody* sheet = nullptr;
+        if (loaded) {
+            sheet = &rig.add(touchingSheet(rig.info(), 0.3, 12, 0.03));
+            rig.cover(*sheet, fabrics::denim()).soak(0.3);
+        }
+        patch.m_cfg.kDP = btScalar(0.05);
+        rig.run(3);
+        if (sheet) {
+            EXPECT_GT(test::lowest(*sheet), test::lowest(patch) - 0.01) << "it has fallen through";
+        }
+        return -test::lowest(patch);
+    };
+    EXPECT_GT(sagOfPatch(true), sagOfPatch(false) + 0.002);
+}
+
+/// Mean strain of a hanging square metre of cotton at rest in so many steps.
+double meanStrain(int nodes, int steps, bool tethers, double stretch) {
+    Fabric fabric = fabrics::cottonPlain();
+    fabric.stretchWarp = fabric.stretchWeft = stretch;
+    fabric.shear = std::min(60.0, 0.1 * stretch);
+    SmallSteps settings;
+    settings.count = steps;
+    settings.tethers = tethers;
+    test::SmallStepWorld rig(settings);
+    btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabric, 1, nodes));
+    rig.cover(sheet, fabric);
+    sheet.m_cfg.kDP = 4;
+    rig.run(3);
+    double sum = 0;
+    int counted = 0;
+    for (int i = 0; i < sheet.m_links.size(); ++i) {
+        const btSoftBody::Link& link = sheet.m_links[i];
+        if (link.m_bbending) continue;
+        sum += std::abs(double((link.m_n[1]->m_x - link.m_n[0]->m_x).length() / link.m_rl) - 1);
+        ++counted;
+    }
+    return sum / counted;
+}
+
+TEST(SmallStepTouch, TethersHoldAFineSheetTogetherInFewSteps) {
+    const double without = meanStrain(64, 6, false, 2000), with = meanStrain(64, 6, true, 2000);
+    EXPECT_GT(without, 0.03);
+    EXPECT_LT(with, 0.4 * without);
+}
+
+TEST(SmallStepTouch, TethersDoNotHideTheStretchOfSoftCloth) {
+    // Soft enough that it stretches by itself, by 2 % at the top; steps enough to resolve that.
+    const double without = meanStrain(33, 40, false, 65), with = meanStrain(33, 40, true, 65);
+    EXPECT_GT(without, 0.005);
+    EXPECT_NEAR(with / without, 1, 0.02);
+}
+
+TEST(SmallStepTouch, HealthTellsHowTheSheetDoes) {
+    test::SmallStepWorld rig({20, 0.01});
+    rig.bullet().addBall({0, btScalar(-0.4), 0}, 0.25, 0);
+    btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabrics::cottonPlain(), 0.8, 25, 0));
+    const WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain());
+    rig.run(1.5);
+    const SheetHealth health = cloth.health();
+    EXPECT_TRUE(health.finite);
+    EXPECT_EQ(health.smallSteps, 20);
+    EXPECT_EQ(health.heldSubsteps, 0);
+    double largest = 0;
+    for (int i = 0; i < sheet.m_links.size(); ++i) {
+        const btSoftBody::Link& link = sheet.m_links[i];
+        const double strain = double((link.m_n[1]->m_x - link.m_n[0]->m_x).length() / link.m_rl) - 1;
+        if (!link.m_bbending) largest = std::max(largest, std::abs(strain));
+    }
+    EXPECT_NEAR(health.largestStrain, largest, 1e-6);
+    EXPECT_GT(largest, 1e-4);
+    EXPECT_EQ(health.deepestPenetration, 0);
+    EXPECT_EQ(health.stepBound, cloth.stepBound());
+
+    // A node that someone puts into the ball.
+    for (int i = 0; i < sheet.m_rcontacts.size(); ++i) {
+        btSoftBody::RContact& contact = sheet.m_rcontacts[i];
+        contact.m_node->m_x -=
+            contact.m_cti.m_normal * (sheet.getCollisionShape()->getMargin() + btScalar(0.003));
+        break;
+    }
+    EXPECT_NEAR(cloth.health().deepestPenetration, 0.003, 5e-4);
+    sheet.m_nodes[3].m_v.setX(std::numeric_limits<btScalar>::quiet_NaN());
+    EXPECT_FALSE(cloth.health().finite);
+}
+
+TEST(SmallStepTouch, ForcesThatAreNotFiniteAreRefusedAndAbsurdSpeedsHoldTheSheet) {
+    test::SmallStepWorld rig;
+    btSoftBody& sheet = rig.add(test::smallSheet(rig.info()));
+    WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain());
+    rig.run(0.1);
+    sheet.m_nodes[100].m_f.setY(std::numeric_limits<btScalar>::quiet_NaN());
+    EXPECT_THROW(rig.run(1.0 / 60), std::runtime_error);
+    sheet.m_nodes[100].m_f.setZero();
+    rig.world().clearForces();
+    rig.run(0.1);
+    EXPECT_TRUE(cloth.health().finite);
+
+    const btVector3 place = sheet.m_nodes[100].m_x;
+    sheet.m_nodes[100].m_v.setY(btScalar(1e30));
+    rig.run(1.0 / 60);
+    EXPECT_EQ(cloth.health().heldSubsteps, 1);
+    EXPECT_TRUE(cloth.health().finite);
+    EXPECT_EQ(double((sheet.m_nodes[100].m_x - place).length()), 0);
+    rig.run(0.5);
+    EXPECT_EQ(cloth.health().heldSubsteps, 1);
+    EXPECT_LT(test::largestStrain(sheet), 0.2);
+}
+
+TEST(SmallStepTouch, SettingsOutOfRangeAreRefused) {
+    for (const int count : {-1, 1001}) {
+        SmallSteps settings;
+        settings.count = count;
+        EXPECT_THROW(SmallStepSolver{settings}, std::invalid_argument) << count;
+    }
+    for (const double tolerance : {0.0, -1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
+        SmallSteps settings;
+        settings.stretchTolerance = tolerance;
+        EXPECT_THROW(SmallStepSolver{settings}, std::invalid_argument) << tolerance;
+    }
+}
+
+}  // namespace
+}  // namespace drench

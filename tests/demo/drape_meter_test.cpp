@@ -1,0 +1,70 @@
+// The drape test on discs of 36 nodes across.
+#include "scenes/drape_meter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cloth_disc.h"
+
+namespace drench::demo {
+namespace {
+
+std::unique_ptr<DrapeMeter> atRest(const std::string& fabric) {
+    SceneOptions options;
+    options.fabric = fabric;
+    options.resolution = 36;
+    auto scene = std::make_unique<DrapeMeter>(options);
+    while (!scene->finished()) scene->advance();
+    return scene;
+}
+
+TEST(DrapeMeter, StifferClothCoversMoreAndWetClothLess) {
+    const auto wool = atRest("wool"), tropical = atRest("tropical"), denim = atRest("denim");
+    EXPECT_LT(wool->dry().coefficient, tropical->dry().coefficient);
+    EXPECT_LT(tropical->dry().coefficient, denim->dry().coefficient);
+    for (const auto* scene : {wool.get(), tropical.get(), denim.get()}) {
+        EXPECT_LT(scene->wet().coefficient, scene->dry().coefficient - 10);
+        EXPECT_GE(scene->dry().nodes, 3);
+        EXPECT_LT(scene->dry().farthest, 0.151);
+    }
+    EXPECT_TRUE(denim->failures().empty()) << denim->failures().front();
+}
+
+// Not yet: with all springs as stiff as the fabric's it comes to about 65 % and 8 to 12 nodes.
+TEST(DrapeMeter, DISABLED_TropicalDrapesAsMeasured) {
+    const auto tropical = atRest("tropical");
+    EXPECT_NEAR(tropical->dry().coefficient, 50.7, 6);
+    EXPECT_NEAR(tropical->dry().nodes, 5, 1);
+}
+
+TEST(DrapeMeter, DiscIsRoundAndItsTrianglesAreGood) {
+    for (const int across : {12, 31, 48, 64}) {
+        const DiscMesh mesh = discMesh(0.15, across, 0.09);
+        double area = 0, smallestAngle = 4;
+        for (const auto& triangle : mesh.triangles)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Eigen::Vector2d& corner = mesh.nodes[std::size_t(triangle[k])];
+                const Eigen::Vector2d u = mesh.nodes[std::size_t(triangle[(k + 1) % 3])] - corner;
+                const Eigen::Vector2d v = mesh.nodes[std::size_t(triangle[(k + 2) % 3])] - corner;
+                const double doubledArea = u.x() * v.y() - u.y() * v.x();
+                area += doubledArea / 6;
+                smallestAngle = std::min(smallestAngle, std::atan2(doubledArea, u.dot(v)));
+            }
+        EXPECT_NEAR(area / (0.15 * 0.15 * 3.14159265), 1, 0.006) << across;
+        EXPECT_GT(smallestAngle, 0.35) << across;  // 20 degrees
+    }
+}
+
+TEST(Silhouette, CountsLobes) {
+    std::vector<double> radii;
+    for (int i = 0; i < 720; ++i)
+        radii.push_back(0.12 + 0.01 * std::cos(5 * i * 3.14159265 / 360) +
+                        1e-3 * std::cos(31 * i * 3.14159265 / 360));
+    EXPECT_EQ(countLobes(radii, 3e-3), 5);
+    EXPECT_EQ(countLobes(radii, 0.03), 0);
+    EXPECT_EQ(dominantOrder(radii, 12), 5);
+}
+
+}  // namespace
+}  // namespace drench::demo
