@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <map>
 
 #include "../water/plate_bending.h"
@@ -81,6 +82,24 @@ double usualResponse(const std::vector<PlateElement>& plates, const std::vector<
     const auto most = responses.begin() + static_cast<std::ptrdiff_t>(responses.size() * 9 / 10);
     std::nth_element(responses.begin(), most, responses.end());
     return *most;
+}
+
+/// Upper bound of the squared angular frequencies of all bends, times areal density over rigidity, 1/m4
+/// (Gershgorin).
+double stiffestNode(const std::vector<PlateElement>& plates, const std::vector<double>& nodeAreas) {
+    std::vector<double> sums(nodeAreas.size(), 0.0);
+    for (const PlateElement& plate : plates)
+        for (const auto& weights : plate.weights) {
+            double all = 0;
+            for (const double weight : weights) all += std::abs(weight);
+            for (std::size_t k = 0; k < 6; ++k)
+                if (plate.nodes[k] >= 0)
+                    sums[static_cast<std::size_t>(plate.nodes[k])] += plate.area * std::abs(weights[k]) * all;
+        }
+    double largest = 0;
+    for (std::size_t n = 0; n < sums.size(); ++n)
+        if (nodeAreas[n] > 0) largest = std::max(largest, sums[n] / nodeAreas[n]);
+    return largest;
 }
 
 }  // namespace
@@ -166,6 +185,7 @@ void SmallStepSheet::packPlates(const SheetMechanics& mechanics) {
         block.weights = table.of(classes, plateWeights_);
     }
     plateResponse_ = usualResponse(elements, mechanics.mesh.areas);
+    stiffestPlates_ = stiffestNode(elements, mechanics.mesh.areas);
 }
 
 void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechanics, double substep) {
@@ -266,12 +286,21 @@ double SmallStepSheet::longestBendingStep(const SheetMechanics& mechanics) const
     return std::sqrt(resolved * arealDensity(mechanics) / (rigidity * plateResponse_));
 }
 
+/// For how many small steps moments may stand: so that the stiffest of all bends stays stable, wherever the cloth
+/// is stiffest and lightest.
 int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, int steps) const {
-    constexpr int most = 8;
-    const double longest = longestBendingStep(mechanics);
-    for (int every = most; every > 1; --every)
-        if (steps % every == 0 && every * substep_ / steps <= longest) return every;
-    return 1;
+    double stiffest = 0, lightest = std::numeric_limits<double>::infinity();
+    for (std::size_t n = 0; n < count_; ++n) {
+        if (!(mechanics.mesh.areas[n] > 0)) continue;
+        stiffest = std::max(stiffest, mechanics.bendingRatios[n]);
+        lightest = std::min(lightest, mechanics.masses[n] / mechanics.mesh.areas[n]);
+    }
+    stiffest *= mechanics.bending * (1 + double(plateLaws_.frictionStiffness));
+    // With T = n h and x' = x + T (v + v') / 2, v' = v - T w^2 (x + T v) a bend of angular frequency w is stable
+    // up to (w T)^2 = 2.
+    constexpr double stable = 1.3, most = 8;
+    const double longest = std::sqrt(stable * lightest / (stiffest * stiffestPlates_));
+    return static_cast<int>(std::clamp(longest * steps / substep_, 1.0, most));
 }
 
 void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {

@@ -128,11 +128,12 @@ class SmallStepSheet {
     std::vector<PlateState> plateStates_;
     std::vector<PlateWeights> plateWeights_;
 
-    double stretch_;            // of the dry cloth, mean of warp and weft, N/m
-    double plateResponse_ = 0;  // of a plate to its moment, times areal density, 1/m4
-    double height_ = 0;         // the longer side of the sheet, m
-    double area_ = 0;           // m2
-    double meanLink_ = 0;       // m
+    double stretch_;             // of the dry cloth, mean of warp and weft, N/m
+    double stiffestPlates_ = 0;  // largest squared angular frequency, times areal density over rigidity, 1/m4
+    double plateResponse_ = 0;   // of a plate to its moment, times areal density, 1/m4
+    double height_ = 0;          // the longer side of the sheet, m
+    double area_ = 0;            // m2
+    double meanLink_ = 0;        // m
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -247,7 +247,7 @@ int SmallStepSolver::State::chooseSteps() const {
     int most = fewest;
     for (const Solving& each : sheets)
         most = std::max(most, each.sheet->cloth.wantedSteps(*each.mechanics, settings.stretchTolerance));
-    return (most + fewest - 1) / fewest * fewest;  // so that plates may be solved less often
+    return most;
 }
 
 void SmallStepSolver::State::begin(btScalar substep) {
