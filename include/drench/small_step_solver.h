@@ -48,13 +48,20 @@ struct SmallSteps {
 /// It must outlive the world. All other soft bodies, and sheets with pose matching (m_pose.m_bframe and kMT),
 /// go Bullet's own way.
 ///
-/// Of a sheet's own settings: m_cfg.kDP is the share of its velocity that it loses per second (a rate, 1/s;
-/// stock Bullet takes it per substep); kDF x the other's friction is the friction coefficient; the margin is
-/// the distance at which cloth rests on things; piterations, kVCF, kCHR, kKHR, kSHR, kAHR and material
-/// stiffness play no part; m_f, gravity of the world info, pins, anchors with their influence, and soft
-/// contacts count as ever. Links that WetCloth counts as bending are left out, as the triangles bend. Solids
-/// that are dynamic feel the cloth: the impulses of a substep add to their velocity at its end. m_rcontacts
-/// holds, after the step, what was touched in it.
+/// What counts of a sheet's own settings: gravity of the world info, forces in m_f, pins (one that is moved by
+/// m_x goes there evenly), anchors with their influence, pressure and volume (kPR, kVC), timescale, and
+/// - m_cfg.kDP is a rate, 1/s: the sheet keeps exp(-kDP t) of its velocity (stock Bullet takes a share per
+///   substep);
+/// - kDF times the other's friction is the friction coefficient;
+/// - the margin is the distance at which cloth rests on things;
+/// - rest lengths are those when the WetCloth was made, times setRestLengthScale.
+/// Iterations, kVCF, hardness of contacts and anchors (kCHR, kKHR, kSHR, kAHR) and material stiffness play no
+/// part, nor do links that bend, as the triangles bend.
+///
+/// Solids that are dynamic feel the cloth: what pushes them in a substep changes their velocity, and their
+/// place unless other solids touch them, at its end. Links of a btMultiBody are met as if they stood still.
+/// After the step m_rcontacts and m_scontacts hold what was touched in it. A substep that comes to something
+/// not finite leaves the sheet where it was, at rest; see SheetHealth.
 class SmallStepSolver final : public btDefaultSoftBodySolver {
   public:
     /// @throws std::invalid_argument for a count or tolerance out of range

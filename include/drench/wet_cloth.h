@@ -92,7 +92,8 @@ struct SheetHealth {
 ///
 /// Everything else, user pointer and tags, iterations, damping and contacts, stays the application's.
 ///
-/// How stiff links are: with piterations = 1 (and viterations = diterations = 0), a substep dt, and w the sum
+/// A SmallStepSolver gives links and bending their stiffness in one substep a frame. How stiff links are with the
+/// stock solver: with piterations = 1 (and viterations = diterations = 0), a substep dt, and w the sum
 /// of a link's inverse masses, the layer writes m_c0 = max(w, w/2 + 1 / (k dt^2)), a variant of XPBD (Macklin
 /// et al. 2016) that is right at the end of the sweep. Up to `stepBound` a link has its stiffness of k N/m;
 /// beyond it acts softer, by about w dt^2 / 2 beside 1 / k. With n > 1 sweeps m_c0 = w / (1 - (1 + w k

@@ -15,8 +15,8 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// A collision object whose surface is wet. Where the sheet touches it (btSoftBody::m_rcontacts, in the
-/// deformable world m_nodeRigidContacts), the face between takes up a film of its own as thick as that on the body, with a time constant of 0.1 s (assumed).
-/// Contacts are those of the last substep.
+/// deformable world m_nodeRigidContacts), the face between takes up a film of its own as thick as that on the
+/// body, with a time constant of 0.1 s (assumed). Contacts are those of the last substep.
 class WetBody final : public Source {
   public:
     double filmThickness = 0.1e-3;  ///< of the water on the body, m; 0 to 0.01

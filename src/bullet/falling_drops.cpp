@@ -78,7 +78,9 @@ struct FallingDrops::Origins {
 };
 
 FallingDrops::FallingDrops(btDiscreteDynamicsWorld& world)
-    : world_(checkedSoftWorld(world)), sheets_(std::make_unique<Sheets>()), origins_(std::make_unique<Origins>()) {}
+    : world_(checkedSoftWorld(world)),
+      sheets_(std::make_unique<Sheets>()),
+      origins_(std::make_unique<Origins>()) {}
 
 FallingDrops::~FallingDrops() = default;
 

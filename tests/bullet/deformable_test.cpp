@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "static_equilibrium.h"
+#include "hanging_grid.h"
 #include "worlds.h"
 
 namespace drench {
@@ -148,36 +148,10 @@ Outcome inBullet(Mode mode, const Fabric& fabric, double water) {
 
 /// The same sheet put together from the textile formulas alone and solved at rest in double precision.
 Outcome atRest(const Fabric& fabric, double water) {
-    constexpr double a = side / (nodes - 1);
-    const auto node = [](int i, int j) { return i + nodes * j; };
-    test::StaticProblem problem;
-    for (int j = 0; j < nodes; ++j)
-        for (int i = 0; i < nodes; ++i) {
-            problem.positions.emplace_back(a * i, -a * j, 0);
-            problem.masses.push_back(0);
-            problem.pinned.push_back(hangsByCorners(node(i, j)));
-        }
-    for (int j = 0; j + 1 < nodes; ++j)
-        for (int i = 0; i + 1 < nodes; ++i)
-            for (const int corner : {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j),
-                                     node(i + 1, j + 1), node(i, j + 1)})
-                problem.masses[std::size_t(corner)] += fabric.arealDensity * (1 + water) * a * a / 6;
-    const auto add = [&](int from, int to, double length, double stiffness) {
-        problem.springs.push_back({{from, to}, length, stiffness});
-    };
-    const double g = fabric.shear;
-    for (int j = 0; j < nodes; ++j)
-        for (int i = 0; i < nodes; ++i) {
-            const double rowShare = j == 0 || j == nodes - 1 ? 0.5 : 1,
-                         columnShare = i == 0 || i == nodes - 1 ? 0.5 : 1;
-            if (i + 1 < nodes) add(node(i, j), node(i + 1, j), a, (fabric.stretchWarp - g) * rowShare);
-            if (j + 1 < nodes) add(node(i, j), node(i, j + 1), a, (fabric.stretchWeft - g) * columnShare);
-            if (i + 1 == nodes || j + 1 == nodes) continue;
-            add(node(i, j), node(i + 1, j + 1), a * std::sqrt(2.0), g);
-            add(node(i + 1, j), node(i, j + 1), a * std::sqrt(2.0), g);
-        }
+    const auto problem =
+        test::hangingGrid(fabric, side, nodes, fabric.arealDensity * (1 + water), hangsByCorners);
     const auto x = test::solveStatic(problem);
-    return {-side - x[std::size_t(node(nodes / 2, nodes - 1))].y(), test::meanStrain(problem, x)};
+    return {-side - x[std::size_t(nodes / 2 + nodes * (nodes - 1))].y(), test::meanStrain(problem, x)};
 }
 
 class Weight : public testing::TestWithParam<double> {};

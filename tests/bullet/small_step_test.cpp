@@ -6,7 +6,7 @@
 
 #include "bullet/body_watch.h"
 #include "bullet/small_step_sheet.h"
-#include "static_equilibrium.h"
+#include "hanging_grid.h"
 #include "worlds.h"
 
 namespace drench {
@@ -45,47 +45,12 @@ Outcome inBullet(const Fabric& fabric, double water, const SmallSteps& steps) {
     return {-side - double(sheet.m_nodes[nodes / 2 + nodes * (nodes - 1)].m_x.y()), test::meanStrain(sheet)};
 }
 
-int node(int i, int j) {
-    return i + nodes * j;
-}
-
-/// Nodes with their share of the mass: each cell cut in two, a third of a triangle to each corner.
-test::StaticProblem weights(double arealDensity, double cell) {
-    test::StaticProblem problem;
-    for (int j = 0; j < nodes; ++j)
-        for (int i = 0; i < nodes; ++i) {
-            problem.positions.emplace_back(cell * i, -cell * j, 0);
-            problem.masses.push_back(0);
-            problem.pinned.push_back(j == 0);
-        }
-    for (int j = 0; j + 1 < nodes; ++j)
-        for (int i = 0; i + 1 < nodes; ++i)
-            for (const int corner : {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j),
-                                     node(i + 1, j + 1), node(i, j + 1)})
-                problem.masses[std::size_t(corner)] += arealDensity * cell * cell / 6;
-    return problem;
-}
-
 /// The same sheet put together from the textile formulas alone and solved at rest in double precision.
 Outcome atRest(const Fabric& fabric, double water) {
-    constexpr double a = side / (nodes - 1);
-    test::StaticProblem problem = weights(fabric.arealDensity * (1 + water), a);
-    const auto add = [&](int from, int to, double length, double stiffness) {
-        problem.springs.push_back({{from, to}, length, stiffness});
-    };
-    const double g = fabric.shear;
-    for (int j = 0; j < nodes; ++j)
-        for (int i = 0; i < nodes; ++i) {
-            const double rowShare = j == 0 || j == nodes - 1 ? 0.5 : 1,
-                         columnShare = i == 0 || i == nodes - 1 ? 0.5 : 1;
-            if (i + 1 < nodes) add(node(i, j), node(i + 1, j), a, (fabric.stretchWarp - g) * rowShare);
-            if (j + 1 < nodes) add(node(i, j), node(i, j + 1), a, (fabric.stretchWeft - g) * columnShare);
-            if (i + 1 == nodes || j + 1 == nodes) continue;
-            add(node(i, j), node(i + 1, j + 1), a * std::sqrt(2.0), g);
-            add(node(i + 1, j), node(i, j + 1), a * std::sqrt(2.0), g);
-        }
+    const auto problem = test::hangingGrid(fabric, side, nodes, fabric.arealDensity * (1 + water),
+                                           [](int node) { return node < nodes; });
     const auto x = test::solveStatic(problem);
-    return {-side - x[std::size_t(node(nodes / 2, nodes - 1))].y(), test::meanStrain(problem, x)};
+    return {-side - x[std::size_t(nodes / 2 + nodes * (nodes - 1))].y(), test::meanStrain(problem, x)};
 }
 
 struct Resolved {
