@@ -1,5 +1,7 @@
 #include "scene_world.h"
 
+#include <cmath>
+
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 
@@ -45,6 +47,18 @@ std::unique_ptr<SceneWorld> makeWorld(WorldKind kind, SolverKind solver, const S
     if (kind == WorldKind::deformable) return std::make_unique<DeformableWorld>();
     if (solver == SolverKind::smallStep) return std::make_unique<SmallStepWorld>(steps);
     return std::make_unique<BulletWorld>();
+}
+
+double meanStrain(const btSoftBody& body) {
+    double sum = 0;
+    int counted = 0;
+    for (int i = 0; i < body.m_links.size(); ++i) {
+        const btSoftBody::Link& link = body.m_links[i];
+        if (link.m_bbending) continue;
+        sum += std::abs(double((link.m_n[1]->m_x - link.m_n[0]->m_x).length() / link.m_rl) - 1);
+        ++counted;
+    }
+    return sum / counted;
 }
 
 }  // namespace drench::demo

@@ -64,6 +64,9 @@ class SceneWorld {
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 
+/// Of a body's stretch and shear links, the mean of |length / rest length - 1|.
+double meanStrain(const btSoftBody& body);
+
 /// An empty world. @param solver, steps  count in a soft-rigid world only
 std::unique_ptr<SceneWorld> makeWorld(WorldKind kind, SolverKind solver, const SmallSteps& steps = {});
 

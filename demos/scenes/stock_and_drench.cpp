@@ -88,17 +88,7 @@ class StockAndDrench::Exhibit {
                 sum += 1 / double(sheet_->m_nodes[n].m_im);
         return sum;
     }
-    double meanStrain() const {
-        double sum = 0;
-        int counted = 0;
-        for (int i = 0; i < sheet_->m_links.size(); ++i) {
-            const btSoftBody::Link& link = sheet_->m_links[i];
-            if (link.m_bbending) continue;
-            sum += std::abs(double((link.m_n[1]->m_x - link.m_n[0]->m_x).length() / link.m_rl) - 1);
-            ++counted;
-        }
-        return sum / counted;
-    }
+    double meanStrain() const { return demo::meanStrain(*sheet_); }
     /// m below the corners.
     double lowest() const {
         btScalar lowest = btScalar(height);

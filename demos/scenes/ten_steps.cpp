@@ -129,17 +129,7 @@ class TenSteps::Rig {
 
     double sag() const { return restingHeight - double(node(nodesWarp_ / 2, 0).m_x.y()); }
 
-    double meanStrain() const {
-        double sum = 0;
-        int counted = 0;
-        for (int i = 0; i < sheet_->m_links.size(); ++i) {
-            const btSoftBody::Link& link = sheet_->m_links[i];
-            if (link.m_bbending) continue;
-            sum += std::abs(double((link.m_n[1]->m_x - link.m_n[0]->m_x).length() / link.m_rl) - 1);
-            ++counted;
-        }
-        return sum / counted;
-    }
+    double meanStrain() const { return demo::meanStrain(*sheet_); }
 
     btVector3 centreOfMass() const {
         btVector3 moment(0, 0, 0);

@@ -45,15 +45,7 @@ Outcome inBullet(const Fabric& fabric, double water, double dt) {
     bullet.step(5, static_cast<int>(5 / dt));
 
     Outcome outcome{-side - double(sheet->m_nodes[nodes / 2 + nodes * (nodes - 1)].m_x.y()), 0};
-    int counted = 0;
-    for (int i = 0; i < sheet->m_links.size(); ++i) {
-        const btSoftBody::Link& link = sheet->m_links[i];
-        if (link.m_bbending) continue;
-        outcome.meanStrain +=
-            std::abs(double((link.m_n[1]->m_x - link.m_n[0]->m_x).length() / link.m_rl) - 1);
-        ++counted;
-    }
-    outcome.meanStrain /= counted;
+    outcome.meanStrain = test::meanStrain(*sheet);
     bullet.world().removeSoftBody(sheet.get());
     return outcome;
 }

@@ -73,7 +73,7 @@ TEST(SmallStepTouch, ASheetRestsOnAPatchThatBulletMovesAndWeighsOnIt) {
 }
 
 /// Mean strain of a hanging square metre of cotton at rest in so many steps.
-double meanStrain(int nodes, int steps, bool tethers, double stretch) {
+double strainAtRest(int nodes, int steps, bool tethers, double stretch) {
     Fabric fabric = fabrics::cottonPlain();
     fabric.stretchWarp = fabric.stretchWeft = stretch;
     fabric.shear = std::min(60.0, 0.1 * stretch);
@@ -85,26 +85,18 @@ double meanStrain(int nodes, int steps, bool tethers, double stretch) {
     rig.cover(sheet, fabric);
     sheet.m_cfg.kDP = 4;
     rig.run(3);
-    double sum = 0;
-    int counted = 0;
-    for (int i = 0; i < sheet.m_links.size(); ++i) {
-        const btSoftBody::Link& link = sheet.m_links[i];
-        if (link.m_bbending) continue;
-        sum += std::abs(double((link.m_n[1]->m_x - link.m_n[0]->m_x).length() / link.m_rl) - 1);
-        ++counted;
-    }
-    return sum / counted;
+    return test::meanStrain(sheet);
 }
 
 TEST(SmallStepTouch, TethersHoldAFineSheetTogetherInFewSteps) {
-    const double without = meanStrain(64, 6, false, 2000), with = meanStrain(64, 6, true, 2000);
+    const double without = strainAtRest(64, 6, false, 2000), with = strainAtRest(64, 6, true, 2000);
     EXPECT_GT(without, 0.03);
     EXPECT_LT(with, 0.4 * without);
 }
 
 TEST(SmallStepTouch, TethersDoNotHideTheStretchOfSoftCloth) {
     // Soft enough that it stretches by itself, by 2 % at the top; steps enough to resolve that.
-    const double without = meanStrain(33, 40, false, 65), with = meanStrain(33, 40, true, 65);
+    const double without = strainAtRest(33, 40, false, 65), with = strainAtRest(33, 40, true, 65);
     EXPECT_GT(without, 0.005);
     EXPECT_NEAR(with / without, 1, 0.02);
 }

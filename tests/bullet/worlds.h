@@ -167,18 +167,7 @@ inline double lowest(const btSoftBody& body) {
     return height;
 }
 
-/// Of stretch and shear links, the mean of |length / rest length - 1|.
-inline double meanStrain(const btSoftBody& body) {
-    double sum = 0;
-    int counted = 0;
-    for (int i = 0; i < body.m_links.size(); ++i) {
-        const btSoftBody::Link& link = body.m_links[i];
-        if (link.m_bbending) continue;
-        sum += std::abs(double((link.m_n[1]->m_x - link.m_n[0]->m_x).length() / link.m_rl) - 1);
-        ++counted;
-    }
-    return sum / counted;
-}
+using demo::meanStrain;
 
 inline bool isFinite(const btSoftBody& body) {
     for (int n = 0; n < body.m_nodes.size(); ++n) {
