@@ -52,14 +52,15 @@ struct SmallSteps {
 /// m_x goes there evenly), anchors with their influence, pressure and volume (kPR, kVC), timescale, and
 /// - m_cfg.kDP is a rate, 1/s: the sheet keeps exp(-kDP t) of its velocity (stock Bullet takes a share per
 ///   substep);
-/// - kDF times the other's friction is the friction coefficient;
-/// - the margin is the distance at which cloth rests on things;
+/// - kDF times a solid's friction is the friction coefficient; between soft bodies the larger kDF is;
+/// - the margin is the distance at which cloth rests on things; convex hulls add their own;
 /// - rest lengths are those when the WetCloth was made, times setRestLengthScale.
 /// Iterations, kVCF, hardness of contacts and anchors (kCHR, kKHR, kSHR, kAHR) and material stiffness play no
 /// part, nor do links that bend, as the triangles bend.
 ///
 /// Solids that are dynamic feel the cloth: what pushes them in a substep changes their velocity, and their
-/// place unless other solids touch them, at its end. Links of a btMultiBody are met as if they stood still.
+/// place unless other solids touch them, at its end. Links of a btMultiBody are met as if they stood still, and
+/// feel nothing.
 /// After the step m_rcontacts and m_scontacts hold what was touched in it. A substep that comes to something
 /// not finite leaves the sheet where it was, at rest; see SheetHealth.
 class SmallStepSolver final : public btDefaultSoftBodySolver {

@@ -342,7 +342,10 @@ void WetCloth::Layer::writeBack(double bodyStep) {
         return;
     }
     // A SmallStepSolver reads the mechanics itself; Bullet's takes them from the links.
-    if (!std::exchange(mechanics.movedBySmallSteps, false)) writeLinkConstants(body, mechanics, bodyStep);
+    if (!std::exchange(mechanics.movedBySmallSteps, false)) {
+        writeLinkConstants(body, mechanics, bodyStep);
+        mechanics.smallSteps = 0;
+    }
     // Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
     if (body.isActive()) airForces.add(body, laws, air, mechanics, pose, bodyStep);
 }

@@ -22,7 +22,7 @@ void SheetAnchors::begin(const btSoftBody& body, SmallStepSheet& sheet, const So
     for (Tie& tie : ties_) {
         const btTransform& end = solids[tie.solid].end();
         const btVector3 arm = end.getBasis() * body.m_anchors[tie.anchor].m_local;
-        tie.from = end.getOrigin() + arm - body.m_nodes[tie.node].m_x;
+        tie.from = end.getOrigin() + arm - sheet.startPlace(static_cast<std::size_t>(tie.node));
         tie.arm = solids[tie.solid].middle(arm);
         const auto node = static_cast<std::size_t>(tie.node);
         if (!(sheet.moved(node).inverseMass > 0)) continue;
@@ -41,7 +41,7 @@ void SheetAnchors::solve(SmallStepSheet& sheet, Solids& solids) const {
         if (!(response > 0)) continue;
         const btVector3 push = gap * (tie.influence / response);
         shift(node, push * inverseMass);
-        solid.push(tie.arm, -push, btScalar(sheet.smallStep()));
+        solid.push(tie.arm, -push);
     }
 }
 

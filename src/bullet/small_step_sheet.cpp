@@ -373,9 +373,10 @@ bool SmallStepSheet::finish(btSoftBody& body) {
             node.m_x += node.m_v * btScalar(substep_);
         else if (finite)
             node.m_x += vectorOf(moved_[n]);
-        if (!finite)
+        if (!finite) {
             node.m_v.setZero();
-        else if (node.m_im > 0)
+            moved_[n] = {0, 0, 0, moved_[n].inverseMass};
+        } else if (node.m_im > 0)
             node.m_v = step(n) * perSecond;
         end_[n] = node.m_x;
     }

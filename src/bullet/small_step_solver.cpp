@@ -141,7 +141,7 @@ struct SmallStepSolver::State {
     void predict(btSoftBody& body, SheetMechanics& mechanics, btScalar substep);
     int chooseSteps() const;
     void begin(btScalar substep);
-    void smallStep();
+    void smallStep(double smallStepOfWorld);
     void finish(btScalar substep);
 
     const SmallSteps settings;
@@ -209,8 +209,8 @@ void SmallStepSolver::processCollision(btSoftBody* body, btSoftBody* other) {
     btDefaultSoftBodySolver::processCollision(body, other);
     if (!movedHere(*body) && !movedHere(*other)) return;
     const btScalar margin = body->getCollisionShape()->getMargin() + other->getCollisionShape()->getMargin();
-    state_->softContacts.take(*body, first, margin);
-    state_->softContacts.take(*other, firstOfOther, margin);
+    state_->softContacts.take(*body, first, *other, margin);
+    state_->softContacts.take(*other, firstOfOther, *body, margin);
 }
 
 void SmallStepSolver::solveConstraints(btScalar substep) {
@@ -226,7 +226,7 @@ void SmallStepSolver::solveConstraints(btScalar substep) {
     state_->steps = state_->sheets.empty() ? 0 : state_->chooseSteps();
     if (state_->steps == 0) return;
     state_->begin(substep);
-    for (int step = 0; step < state_->steps; ++step) state_->smallStep();
+    for (int step = 0; step < state_->steps; ++step) state_->smallStep(double(substep) / state_->steps);
     state_->finish(substep);
 }
 
@@ -265,8 +265,8 @@ void SmallStepSolver::State::begin(btScalar substep) {
     softContacts.begin(softSheets, double(substep), steps);
 }
 
-void SmallStepSolver::State::smallStep() {
-    solids.advance(sheets[0].sheet->cloth.smallStep());
+void SmallStepSolver::State::smallStep(double smallStepOfWorld) {
+    solids.advance(smallStepOfWorld);
     softContacts.advance();
     for (const Solving& each : sheets) {
         each.sheet->cloth.advance();
@@ -282,9 +282,9 @@ void SmallStepSolver::State::finish(btScalar substep) {
     for (const Solving& each : sheets) {
         if (!each.sheet->cloth.finish(*each.body)) ++each.mechanics->heldSubsteps;
         each.mechanics->smallSteps = steps;
-        each.sheet->contacts.finish(*each.body, each.sheet->cloth, solids, double(substep));
+        each.sheet->contacts.finish(*each.body, solids, double(substep));
     }
-    solids.finish(*sheets[0].body->m_worldInfo->m_dispatcher);
+    solids.finish(sheets[0].body->m_worldInfo->m_dispatcher);
     softContacts.finish();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -14,9 +15,13 @@ bool holds(const btSoftBody& body, const btSoftBody::Node& node) {
 
 }  // namespace
 
-void SoftContacts::take(btSoftBody& owner, int first, btScalar margin) {
-    for (int i = first; i < owner.m_scontacts.size(); ++i)
-        found_.push_back({&owner, owner.m_scontacts[i], margin});
+void SoftContacts::take(btSoftBody& owner, int first, btSoftBody& other, btScalar margin) {
+    for (int i = first; i < owner.m_scontacts.size(); ++i) {
+        const btSoftBody::SContact& contact = owner.m_scontacts[i];
+        // Of a node in the very plane of a face Bullet does not know which way is out.
+        const btVector3 all = contact.m_normal + contact.m_weights;
+        if (std::isfinite(all.x() + all.y() + all.z())) found_.push_back({&owner, &other, contact, margin});
+    }
     owner.m_scontacts.resize(first);
 }
 
@@ -31,11 +36,12 @@ void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int s
 SoftContacts::Contact SoftContacts::placed(const Found& found, const std::vector<Sheet>& sheets) {
     Contact contact = {};
     const btSoftBody::SContact& source = found.contact;
-    btVector3 apart = place(contact, 0, *source.m_node, sheets);
+    btVector3 apart = place(contact, 0, *source.m_node, *found.owner, sheets);
     contact.weights[0] = 1;
     for (int corner = 0; corner < 3; ++corner) {
         const auto at = static_cast<std::size_t>(corner + 1);
-        apart -= place(contact, at, *source.m_face->m_n[corner], sheets) * source.m_weights[corner];
+        apart -=
+            place(contact, at, *source.m_face->m_n[corner], *found.other, sheets) * source.m_weights[corner];
         contact.weights[at] = -float(source.m_weights[corner]);
     }
     contact.normal = source.m_normal;
@@ -65,24 +71,27 @@ void SoftContacts::lift(Contact& contact, float margin) {
 }
 
 btVector3 SoftContacts::place(Contact& contact, std::size_t corner, btSoftBody::Node& node,
-                              const std::vector<Sheet>& sheets) {
+                              const btSoftBody& body, const std::vector<Sheet>& sheets) {
     for (const Sheet& sheet : sheets) {
         if (!holds(*sheet.body, node)) continue;
         contact.sheets[corner] = sheet.cloth;
         contact.nodes[corner] = static_cast<std::size_t>(&node - &sheet.body->m_nodes[0]);
         contact.moved[corner] = &sheet.cloth->moved(contact.nodes[corner]);
-        return node.m_x;
+        return sheet.cloth->startPlace(contact.nodes[corner]);
     }
     contact.sheets[corner] = nullptr;
-    contact.nodes[corner] = guestOf(node);
-    contact.moved[corner] = &guests_[contact.nodes[corner]].moved;
-    return node.m_q;
+    contact.nodes[corner] = guestOf(node, body.isActive());
+    Guest& guest = guests_[contact.nodes[corner]];
+    contact.moved[corner] = &guest.moved;
+    return guest.start;
 }
 
-std::size_t SoftContacts::guestOf(btSoftBody::Node& node) {
+std::size_t SoftContacts::guestOf(btSoftBody::Node& node, bool isAwake) {
     for (std::size_t i = 0; i < guests_.size(); ++i)
         if (guests_[i].node == &node) return i;
-    guests_.push_back({&node, node.m_x - node.m_q, {0, 0, 0, float(node.m_im)}, {0, 0, 0}});
+    // Bullet leaves one that sleeps where it is, and so do we.
+    const btVector3 start = isAwake ? node.m_q : node.m_x;
+    guests_.push_back({&node, start, node.m_x - start, {0, 0, 0, isAwake ? float(node.m_im) : 0}, {0, 0, 0}});
     return guests_.size() - 1;
 }
 
@@ -105,7 +114,8 @@ void SoftContacts::solve() {
         for (std::size_t i = 0; i < 4; ++i)
             apart += vectorOf(*contact.moved[i]) * btScalar(contact.weights[i]);
         const btScalar depth = -(btScalar(contact.gap) + apart.dot(contact.normal));
-        if (depth <= 0) continue;
+        if (!(depth > 0 && depth < std::numeric_limits<btScalar>::max()))
+            continue;  // nor for what is not finite
         contact.touched = true;
 
         btVector3 slip(0, 0, 0);
@@ -125,7 +135,8 @@ void SoftContacts::finish() {
         if (contacts_[i].touched) found_[i].owner->m_scontacts.push_back(found_[i].contact);
     for (const Guest& guest : guests_) {
         const btVector3 moved = vectorOf(guest.moved);
-        guest.node->m_x = guest.node->m_q + moved;
+        if (!(guest.moved.inverseMass > 0) || !std::isfinite(moved.x() + moved.y() + moved.z())) continue;
+        guest.node->m_x = guest.start + moved;
         guest.node->m_v += (moved - guest.own) / substep_;
     }
 }

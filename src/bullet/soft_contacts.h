@@ -26,8 +26,9 @@ class SoftContacts {
 
     /// Takes contacts out of a body's list.
     /// @param first   index of the first that is to go
+    /// @param other   whose faces they are with
     /// @param margin  at which the bodies rest on each other, m
-    void take(btSoftBody& owner, int first, btScalar margin);
+    void take(btSoftBody& owner, int first, btSoftBody& other, btScalar margin);
 
     // Then, in each substep and each of its small steps.
     void begin(const std::vector<Sheet>& sheets, double substep, int steps);
@@ -39,6 +40,7 @@ class SoftContacts {
   private:
     struct Found {
         btSoftBody* owner;  // of the node
+        btSoftBody* other;  // of the face
         btSoftBody::SContact contact;
         btScalar margin;  // m
     };
@@ -56,17 +58,18 @@ class SoftContacts {
     /// A node of a body that Bullet moves, and has moved already.
     struct Guest {
         btSoftBody::Node* node;
-        btVector3 own;  // its motion in the substep, m
+        btVector3 start;  // m
+        btVector3 own;    // its motion in the substep, m
         MovingNode moved;
         btVector3 before;  // of moved, in the current small step, m
     };
 
     Contact placed(const Found& found, const std::vector<Sheet>& sheets);
     /// @return where the node is as the substep begins
-    btVector3 place(Contact& contact, std::size_t corner, btSoftBody::Node& node,
+    btVector3 place(Contact& contact, std::size_t corner, btSoftBody::Node& node, const btSoftBody& body,
                     const std::vector<Sheet>& sheets);
     void lift(Contact& contact, float margin);
-    std::size_t guestOf(btSoftBody::Node& node);
+    std::size_t guestOf(btSoftBody::Node& node, bool isAwake);
     btVector3 step(const Contact& contact, std::size_t corner) const;
 
     std::vector<Found> found_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rest_shape.h"
 #include "solid_distance.h"
@@ -50,7 +51,7 @@ void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const bt
                   shape,
                   transform,
                   object.getWorldTransform().inverseTimes(transform),
-                  isTriangleOfMesh(shape, *object.getCollisionShape()),
+                  isTriangleOfMesh(solid),
                   solids.indexOf(object),
                   {},
                   body.getCollisionShape()->getMargin(),
@@ -175,7 +176,7 @@ void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
         const float gap = contact.gap + normal[0] * (node.x - float(displacement.x())) +
                           normal[1] * (node.y - float(displacement.y())) +
                           normal[2] * (node.z - float(displacement.z()));
-        if (gap >= 0) continue;
+        if (!(gap < 0 && gap > -std::numeric_limits<float>::max())) continue;  // nor for what is not finite
         contact.touched = true;
         hold(sheet, contact, places_[i], solid, -gap);
     }
@@ -184,25 +185,21 @@ void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
 void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const Place& place, Solid& solid,
                          float depth) const {
     const auto n = static_cast<std::size_t>(contact.node);
-    const auto smallStep = btScalar(sheet.smallStep());
     MovingNode& node = sheet.moved(n);
     const btVector3 normal(btScalar(contact.normal[0]), btScalar(contact.normal[1]),
                            btScalar(contact.normal[2]));
     const auto inverseMass = btScalar(node.inverseMass);
     const btScalar push = btScalar(depth) / (inverseMass + place.response);
-    const btVector3 slip = sheet.step(n) - solid.step(place.arm, smallStep);
+    const btVector3 slip = sheet.step(n) - solid.step(place.arm);
     const btVector3 along = slip - normal * slip.dot(normal);
     const btScalar length = along.length(), most = btScalar(contact.friction) * push;
     btVector3 total = normal * push;
-    if (length > SIMD_EPSILON * smallStep)
-        total -= along * (std::min(most, length / (inverseMass + place.response)) / length);
+    if (length > 0) total -= along * (std::min(most, length / (inverseMass + place.response)) / length);
     shift(node, total * inverseMass);
-    solid.push(place.arm, -total, smallStep);
+    solid.push(place.arm, -total);
 }
 
-void SolidContacts::finish(btSoftBody& body, const SmallStepSheet& sheet, const Solids& solids,
-                           double substep) const {
-    (void)sheet;
+void SolidContacts::finish(btSoftBody& body, const Solids& solids, double substep) const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const Contact& contact = contacts_[i];
         if (!contact.touched) continue;

@@ -15,8 +15,8 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Each contact is a plane, moving with the solid, on the side of which its node stays: the tangent plane at the
-/// surface point nearest to the node as the substep begins. So a node never passes a convex solid, however
-/// fast or thin. Nodes that might reach a solid within the substep count too.
+/// surface point nearest to the node as the substep begins. So a node never passes a convex solid that
+/// does not spin, however fast or thin. Nodes that might reach a solid within the substep count too.
 class SolidContacts {
   public:
     void clear();
@@ -32,7 +32,7 @@ class SolidContacts {
     void solve(SmallStepSheet& sheet, Solids& solids);
 
     /// Tells the body what it has touched, in m_rcontacts.
-    void finish(btSoftBody& body, const SmallStepSheet& sheet, const Solids& solids, double substep) const;
+    void finish(btSoftBody& body, const Solids& solids, double substep) const;
 
   private:
     struct Touching;

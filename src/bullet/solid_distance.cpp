@@ -66,9 +66,13 @@ SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& tr
     return found;
 }
 
-bool isTriangleOfMesh(const btCollisionShape& shape, const btCollisionShape& shapeOfSolid) {
+bool isTriangleOfMesh(const btCollisionObjectWrapper& solid) {
     constexpr int corners = 6;
-    return shapeOfSolid.isConcave() && shape.getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE &&
+    const btCollisionShape& shape = *solid.getCollisionShape();
+    // Triangles have an index and no parent; children of a compound have both.
+    return solid.m_index >= 0 && !solid.m_parent &&
+           !solid.getCollisionObject()->getCollisionShape()->isConvex() &&
+           shape.getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE &&
            static_cast<const btConvexHullShape&>(shape).getNumPoints() == corners;
 }
 

@@ -1,7 +1,7 @@
 // How far a point is from a solid.
 #pragma once
 
-#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletSoftBody/btSparseSDF.h>
 
 #include "drench/precision.h"
@@ -21,7 +21,7 @@ SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& tr
 
 /// Whether a shape is a triangle of a mesh, which Bullet hands out as a hull of six points, three on either side
 /// and far off, so that soft bodies float above meshes.
-bool isTriangleOfMesh(const btCollisionShape& shape, const btCollisionShape& shapeOfSolid);
+bool isTriangleOfMesh(const btCollisionObjectWrapper& solid);
 
 /// The nearest point of such a triangle, of no thickness; outwards is where the point is.
 SurfacePoint nearestOnTriangle(const btCollisionShape& hull, const btTransform& transform,

@@ -4,6 +4,7 @@
 #include <LinearMath/btTransformUtil.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -15,9 +16,9 @@ btRigidBody* rigidBody(const btCollisionObject& object) {
     return btRigidBody::upcast(const_cast<btCollisionObject*>(&object));
 }
 
-bool touchesSolids(const btCollisionObject& object, btDispatcher& dispatcher) {
-    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+bool touchesSolids(const btCollisionObject& object, btDispatcher* dispatcher) {
+    for (int i = 0; dispatcher && i < dispatcher->getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold = *dispatcher->getManifoldByIndexInternal(i);
         if (manifold.getNumContacts() > 0 &&
             (manifold.getBody0() == &object || manifold.getBody1() == &object))
             return true;
@@ -29,8 +30,9 @@ bool touchesSolids(const btCollisionObject& object, btDispatcher& dispatcher) {
 
 const btRigidBody* movingBody(const btCollisionObject& object) {
     const btRigidBody* const body = btRigidBody::upcast(&object);
+    if (!body || body->getActivationState() == DISABLE_SIMULATION) return nullptr;
     // Kinematic bodies are often flagged static as well.
-    return body && (body->isKinematicObject() || !body->isStaticObject()) ? body : nullptr;
+    return body->isKinematicObject() || !body->isStaticObject() ? body : nullptr;
 }
 
 void Solid::begin(double substep) {
@@ -47,13 +49,17 @@ void Solid::begin(double substep) {
 }
 
 void Solid::advance(double smallStep) {
-    remaining_ = std::max(btScalar(0), remaining_ - btScalar(smallStep));
-    shift_ += addedVelocity_ * btScalar(smallStep);
-    turn_ += addedSpin_ * btScalar(smallStep);
+    smallStep_ = btScalar(smallStep);
+    remaining_ = std::max(btScalar(0), remaining_ - smallStep_);
+    shift_ += addedVelocity_ * smallStep_;
+    turn_ += addedSpin_ * smallStep_;
 }
 
-void Solid::finish(btDispatcher& dispatcher) {
+void Solid::finish(btDispatcher* dispatcher) {
     if (addedVelocity_.isZero() && addedSpin_.isZero()) return;
+    // What has blown a sheet up, and held it back, must not reach others.
+    const btVector3 all = addedVelocity_ + addedSpin_ + shift_ + turn_;
+    if (!std::isfinite(all.x() + all.y() + all.z())) return;
     btRigidBody* const body = rigidBody(*object_);
     body->setLinearVelocity(body->getLinearVelocity() + addedVelocity_);
     body->setAngularVelocity(body->getAngularVelocity() + addedSpin_);
@@ -71,14 +77,14 @@ btScalar Solid::response(const btVector3& arm, const btVector3& direction) const
            lever.dot(inverseInertia_ * lever * angularFactor_);
 }
 
-void Solid::push(const btVector3& arm, const btVector3& push, btScalar smallStep) {
+void Solid::push(const btVector3& arm, const btVector3& push) {
     if (!isMovable()) return;
     const btVector3 move = push * linearFactor_ * inverseMass_,
                     turn = inverseInertia_ * arm.cross(push) * angularFactor_;
     shift_ += move;
     turn_ += turn;
-    addedVelocity_ += move / smallStep;
-    addedSpin_ += turn / smallStep;
+    addedVelocity_ += move / smallStep_;
+    addedSpin_ += turn / smallStep_;
 }
 
 std::size_t Solids::indexOf(const btCollisionObject& object) {
@@ -96,7 +102,7 @@ void Solids::advance(double smallStep) {
     for (Solid& solid : solids_) solid.advance(smallStep);
 }
 
-void Solids::finish(btDispatcher& dispatcher) {
+void Solids::finish(btDispatcher* dispatcher) {
     for (Solid& solid : solids_) solid.finish(dispatcher);
 }
 

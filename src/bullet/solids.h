@@ -27,7 +27,7 @@ class Solid {
     /// Hands the changes over: of velocity, and of place, without which the cloth would find it elsewhere in
     /// the next substep than it has left it. A body that other solids hold keeps its place, however: they
     /// would have to push it back out of themselves, and Bullet does that slowly.
-    void finish(btDispatcher& dispatcher);
+    void finish(btDispatcher* dispatcher);
 
     const btCollisionObject& object() const { return *object_; }
     bool isMovable() const { return inverseMass_ > 0; }
@@ -47,14 +47,14 @@ class Solid {
         return shift_ + turn_.cross(arm) - (velocity_ + spin_.cross(arm)) * remaining_;
     }
     /// How far that point comes in a small step.
-    btVector3 step(const btVector3& arm, btScalar smallStep) const {
-        return (velocity_ + addedVelocity_ + (spin_ + addedSpin_).cross(arm)) * smallStep;
+    btVector3 step(const btVector3& arm) const {
+        return (velocity_ + addedVelocity_ + (spin_ + addedSpin_).cross(arm)) * smallStep_;
     }
     /// How readily that point gives way along a direction, 1/kg.
     btScalar response(const btVector3& arm, const btVector3& direction) const;
     /// Pushes that point.
-    /// @param push  impulse x small step, kg m
-    void push(const btVector3& arm, const btVector3& push, btScalar smallStep);
+    /// @param push  impulse x small step of the world, kg m
+    void push(const btVector3& arm, const btVector3& push);
 
   private:
     const btCollisionObject* object_;
@@ -69,6 +69,7 @@ class Solid {
     btMatrix3x3 inverseInertia_ = btMatrix3x3(0, 0, 0, 0, 0, 0, 0, 0, 0);
     btScalar inverseMass_ = 0;
     btScalar substep_ = 0;    // s
+    btScalar smallStep_ = 0;  // s
     btScalar remaining_ = 0;  // of the substep, s
 };
 
@@ -83,7 +84,7 @@ class Solids {
 
     void begin(double substep);
     void advance(double smallStep);
-    void finish(btDispatcher& dispatcher);
+    void finish(btDispatcher* dispatcher);
 
   private:
     std::vector<Solid> solids_;

@@ -157,6 +157,76 @@ TEST(SmallStepTouch, ForcesThatAreNotFiniteAreRefusedAndAbsurdSpeedsHoldTheSheet
     EXPECT_LT(test::largestStrain(sheet), 0.2);
 }
 
+TEST(SmallStepTouch, ASheetThatIsHeldBackHarmsNothingElse) {
+    test::SmallStepWorld rig;
+    btRigidBody& ball = rig.bullet().addBall({0, btScalar(-0.11), 0}, 0.1, 1);
+    btSoftBody& sheet = rig.add(touchingSheet(rig.info(), 0.5, 17, 0));
+    btSoftBody& neighbour = rig.add(touchingSheet(rig.info(), 0.3, 12, 0.02));
+    WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain());
+    const WetCloth& other = rig.cover(neighbour, fabrics::cottonPlain());
+    rig.run(0.1);
+    sheet.m_nodes[100].m_v.setY(btScalar(1e30));
+    rig.run(0.5);
+    EXPECT_EQ(cloth.health().heldSubsteps, 1);
+    EXPECT_TRUE(cloth.health().finite);
+    EXPECT_TRUE(other.health().finite);
+    EXPECT_TRUE(std::isfinite(ball.getWorldTransform().getOrigin().y() + ball.getLinearVelocity().y()));
+    EXPECT_LT(double(ball.getLinearVelocity().length()), 10);
+    for (int n = 0; n < sheet.m_nodes.size(); ++n) ASSERT_TRUE(std::isfinite(sheet.m_nodes[n].m_n.y())) << n;
+}
+
+TEST(SmallStepTouch, SheetsInOnePlaneFallAsOne) {
+    test::SmallStepWorld rig;
+    btSoftBody& first = rig.add(touchingSheet(rig.info(), 0.5, 11, 1));
+    btSoftBody& second = rig.add(touchingSheet(rig.info(), 0.3, 8, 1));
+    const WetCloth& cloth = rig.cover(first, fabrics::cottonPlain());
+    rig.cover(second, fabrics::cottonPlain());
+    rig.run(0.5);
+    EXPECT_EQ(cloth.health().heldSubsteps, 0);
+    EXPECT_LT(test::lowest(first), 0.6);
+    EXPECT_LT(test::lowest(second), 0.6);
+}
+
+TEST(SmallStepTouch, ASheetWithATimeOfItsOwnDoesNotDisturbOthers) {
+    const auto lifted = [](bool withSlowSheet) {
+        test::SmallStepWorld rig;
+        btBoxShape shape({btScalar(0.4), btScalar(0.02), btScalar(0.4)});
+        btRigidBody plate(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &shape));
+        plate.setCollisionFlags(plate.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+        plate.setActivationState(DISABLE_DEACTIVATION);
+        rig.world().addRigidBody(&plate);
+        if (withSlowSheet) {
+            auto slow = test::levelSheet(rig.info(), fabrics::cottonPlain(), 0.3, 8, 5);
+            slow->translate({5, 0, 0});
+            slow->m_cfg.timescale = btScalar(0.1);
+            rig.cover(rig.add(std::move(slow)), fabrics::cottonPlain());
+        }
+        btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabrics::cottonPlain(), 0.5, 13, 0.04));
+        rig.cover(sheet, fabrics::cottonPlain());
+        for (int frame = 1; frame <= 60; ++frame) {
+            plate.setWorldTransform(btTransform(btQuaternion::getIdentity(), {0, btScalar(frame / 60.0), 0}));
+            rig.run(1.0 / 60);
+        }
+        const double height = test::lowest(sheet);
+        rig.world().removeRigidBody(&plate);
+        return height;
+    };
+    EXPECT_GT(lifted(false), 1.0);
+    EXPECT_NEAR(lifted(true), lifted(false), 2e-3);
+}
+
+TEST(SmallStepTouch, HealthKnowsThatBulletMovesTheSheetAgain) {
+    test::SmallStepWorld rig;
+    btSoftBody& sheet = rig.add(test::smallSheet(rig.info()));
+    const WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain());
+    rig.run(0.1);
+    EXPECT_GT(cloth.health().smallSteps, 0);
+    sheet.setPose(false, true);
+    sheet.m_cfg.kMT = btScalar(0.01);  // pose matching goes Bullet's way
+    rig.run(0.1);
+    EXPECT_EQ(cloth.health().smallSteps, 0);
+}
+
 TEST(SmallStepTouch, SettingsOutOfRangeAreRefused) {
     for (const int count : {-1, 1001}) {
         SmallSteps settings;
