@@ -9,6 +9,23 @@
 
 namespace drench::test {
 
+/// Cloth that is equally stiff wet and dry, so that water changes nothing but the weight.
+inline Fabric constantStiffness(double stretch) {
+    Fabric fabric = fabrics::cottonPlain();
+    fabric.stretchWarp = stretch;
+    fabric.stretchWeft = stretch;
+    fabric.shear = 0.2 * stretch;
+    fabric.wetStretchRatio = 1;
+    fabric.wetBendingRatio = 1;
+    return fabric;
+}
+
+/// How a sheet hangs.
+struct Outcome {
+    double sag;         // m, how much lower the lower edge's middle is than at rest
+    double meanStrain;  // of stretch and shear links
+};
+
 /// A sheet of side x side metres in the plane z = 0, its upper edge at y = 0, node (i, j) at index i + nodes j.
 /// Each cell is cut along one diagonal, with a third of each triangle to each corner; springs along warp and weft
 /// (half at the border) and both diagonals.

@@ -7,24 +7,11 @@
 namespace drench {
 namespace {
 
+using test::constantStiffness;
+using test::Outcome;
+
 constexpr int nodes = 17;
 constexpr double side = 0.5;
-
-/// Cloth that is equally stiff wet and dry, so that water changes nothing but the weight.
-Fabric constantStiffness(double stretch) {
-    Fabric fabric = fabrics::cottonPlain();
-    fabric.stretchWarp = stretch;
-    fabric.stretchWeft = stretch;
-    fabric.shear = 0.2 * stretch;
-    fabric.wetStretchRatio = 1;
-    fabric.wetBendingRatio = 1;
-    return fabric;
-}
-
-struct Outcome {
-    double sag;         // m, how much lower the lower edge's middle is than at rest
-    double meanStrain;  // of stretch and shear links
-};
 
 bool hangsByCorners(int node) {
     return node < 2 || (node >= nodes - 2 && node < nodes);

@@ -12,26 +12,18 @@
 namespace drench {
 namespace {
 
+using test::Outcome;
+
 constexpr int nodes = 17;
 constexpr double side = 0.5;
 
 /// Cloth that hardly bends, and is equally stiff wet and dry: nothing but springs and weight.
 Fabric springs(double stretch) {
-    Fabric fabric = fabrics::cottonPlain();
-    fabric.stretchWarp = stretch;
-    fabric.stretchWeft = stretch;
-    fabric.shear = 0.2 * stretch;
+    Fabric fabric = test::constantStiffness(stretch);
     fabric.bending = 1e-9;
     fabric.bendingFriction = 0;
-    fabric.wetStretchRatio = 1;
-    fabric.wetBendingRatio = 1;
     return fabric;
 }
-
-struct Outcome {
-    double sag;         // m, how much lower the lower edge's middle is than at rest
-    double meanStrain;  // of stretch and shear links
-};
 
 /// Lets a sheet with `water` times its own mass of water come to rest under its upper edge.
 Outcome inBullet(const Fabric& fabric, double water, const SmallSteps& steps) {
