@@ -13,7 +13,8 @@ struct Evaporation {
     double heatTransfer;        ///< coefficient h_c of convection, W/(m2 K)
 };
 
-/// Checks temperature (0 to 60), humidity (0 to 1), vapour exchange (0 to 1) and that the wind is finite.
+/// Checks temperature (0 to 60), humidity (0 to 1), vapour exchange (0 to 1), shelter length (0 to 1000) and
+/// that the wind is finite.
 /// @throws std::invalid_argument that names the value and its range
 void validate(const Air& air);
 

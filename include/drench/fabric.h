@@ -60,21 +60,21 @@ struct Fabric {
     Quantity stretchWeft;  ///< the same along the weft
     Quantity shear;        ///< force per width and angle, N/m; 0.1 to 1e6, below both stretches; cotton 60
     Quantity bending;      ///< bending rigidity per width B, N m; 1e-9 to 1; cotton 1.16e-5
-    Quantity bendingFriction;  ///< moment per width that friction holds, HB, N; 0 to 1; cotton 6e-4 *
+    Quantity bendingFriction;  ///< moment per width that friction holds, HB, N; 0 to 1; cotton 6e-4
 
     // Mechanics, wet over dry
     Quantity wetStretchRatio;          ///< of stretch and shear, 1; 0.01 to 10; cotton 0.6
     Quantity wetBendingRatio;          ///< of the bending rigidity, 1; 0.01 to 10; cotton 0.6
-    Quantity wetBendingFrictionRatio;  ///< of the bending friction, 1; 0.01 to 10; cotton 1.7 *
+    Quantity wetBendingFrictionRatio;  ///< of the bending friction, 1; 0.01 to 10; cotton 1.7
 
     // Touch
     Quantity plateFrictionDry;     ///< friction coefficient on a smooth plate, 1; 0 to 5; cotton 0.25
-    Quantity plateFrictionDamp;    ///< the same at its damp peak; cotton 0.9 *
-    Quantity plateFrictionSoaked;  ///< the same when a film lubricates; cotton 0.4 *
-    Quantity skinFrictionDry;      ///< friction coefficient on skin, 1; 0 to 5; cotton 0.45 *
-    Quantity skinFrictionDamp;     ///< the same at its damp peak; cotton 1.2 *
-    Quantity skinFrictionSoaked;   ///< the same when a film lubricates; cotton 0.9 *
-    Quantity clingEnergy;  ///< to peel wet cloth off a wettable surface, J/m2; 0 to 0.146; cotton 0.13 *
+    Quantity plateFrictionDamp;    ///< the same at its damp peak; cotton 0.9
+    Quantity plateFrictionSoaked;  ///< the same when a film lubricates; cotton 0.4
+    Quantity skinFrictionDry;      ///< friction coefficient on skin, 1; 0 to 5; cotton 0.45
+    Quantity skinFrictionDamp;     ///< the same at its damp peak; cotton 1.2
+    Quantity skinFrictionSoaked;   ///< the same when a film lubricates; cotton 0.9
+    Quantity clingEnergy;  ///< to peel wet cloth off a wettable surface, J/m2; 0 to 0.146; cotton 0.13
 
     // Air
     Quantity airPermeabilityDry;        ///< air speed through dry cloth at 100 Pa, m/s; 0 to 10; cotton 0.1

@@ -52,7 +52,8 @@ struct SmallSteps {
 /// m_x goes there evenly), anchors with their influence, pressure and volume (kPR, kVC), timescale, and
 /// - m_cfg.kDP is a rate, 1/s: the sheet keeps exp(-kDP t) of its velocity (stock Bullet takes a share per
 ///   substep);
-/// - kDF times a solid's friction is the friction coefficient; between soft bodies the larger kDF is;
+/// - kDF times a solid's friction is the friction coefficient of dry cloth, but for solids that WetCloth::setSurface
+///   says more of; between soft bodies it is the larger kDF. Water changes both, and makes cloth cling;
 /// - the margin is the distance at which cloth rests on things; convex hulls add their own;
 /// - rest lengths are those when the WetCloth was made, times setRestLengthScale.
 /// Iterations, kVCF, hardness of contacts and anchors (kCHR, kKHR, kSHR, kAHR) and material stiffness play no

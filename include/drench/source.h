@@ -38,6 +38,10 @@ struct SheetPose {
     Eigen::Vector3d areaVector(std::size_t node) const;
 };
 
+/// Share of a node that is under water at a depth, m, below the surface: it rises from 0 at 1 cm above to 1 at
+/// 1 cm below as 3 t^2 - 2 t^3, so that what floats lies still (assumed).
+double shareUnderWater(double depth);
+
 /// Where a source puts its water. Masses are kg, at least 0 and finite; nodes without cloth are not for
 /// watering. Anything else throws std::invalid_argument or std::out_of_range and leaves the sheet as it is.
 class Supply {
@@ -57,6 +61,12 @@ class Supply {
     virtual double takePores(std::size_t node, double mass) = 0;
     /// Covers a share of the node's faces for this step, 0 to 1: there it neither dries nor drips (at 1).
     virtual void cover(std::size_t node, double share) = 0;
+    /// Says how deep a node is under a surface of water in the body's next substep, m; water then drags and
+    /// lifts it by `shareUnderWater` of that. Of several that say so the greatest depth counts. It wets nothing
+    /// by itself.
+    /// @param depth     -1e9 to 1e9; above the surface negative
+    /// @param velocity  of the water there, m/s
+    virtual void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) = 0;
 };
 
 /// Something that brings water. Derive from it for a source of your own: at the start of every step Drench

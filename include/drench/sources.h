@@ -62,10 +62,21 @@ class Spray final : public Source {
     std::size_t nextRay_ = 0;
 };
 
-/// Water with a level surface: what is under it fills its pores at the pace of the fabric's wetting, and
-/// comes out with a film as thick as Landau & Levich (1942) say, 0.94 (gamma / (rho g))^1/2 (mu U /
-/// gamma)^2/3 with U the speed of the cloth, from the film that faces retain up to the thickest. More film
-/// than that goes back to the pool. Only wets; it does not push. Does nothing without gravity.
+/// Still water with a level surface: it wets, drags and lifts what is under it.
+///
+/// What `shareUnderWater` says is touched fills its pores at the pace of the fabric's wetting, and comes out
+/// with a film as thick as Landau & Levich (1942) say, 0.94 (gamma / (rho g))^1/2 (mu U / gamma)^2/3 with U
+/// the speed of the cloth, from the film that faces retain up to the thickest. More film than that goes back
+/// to the pool.
+///
+/// Water drags like the air (see AirDrag), by its own density and the fabric's permeability to water, which
+/// is taken across the cloth as it is along it (assumed). Some of it moves along across the cloth: pi/4 rho L
+/// per area as with a plate of width L (Lamb 1932), L the smaller of the root of the sheet's area and 0.1 m
+/// (assumed). It lifts by the weight of what the share under water displaces: fibre, pores and film. So dry
+/// cloth floats while the air in its pores carries it, cotton until they are three quarters full, and then
+/// sinks; what it takes up comes at rest and slows it. The surface stays level and the pool full: cloth makes
+/// no waves, and nothing that it does to the water comes back. Drag and lift go by the body's time, wetting
+/// by the water's. Does nothing without gravity.
 class Pool final : public Source {
   public:
     double level;  ///< height of the surface along the way up, m; -1e9 to 1e9

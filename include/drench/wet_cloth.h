@@ -19,6 +19,7 @@
 #include "drench/moisture.h"
 #include "drench/precision.h"
 #include "drench/source.h"
+#include "drench/surface.h"
 #include "drench/wet_laws.h"
 
 namespace drench {
@@ -137,10 +138,28 @@ class WetCloth {
     WetCloth& operator=(const WetCloth&) = delete;
 
     /// The air around the sheet; change it as you like between steps. Wind does not wake a body that sleeps.
-    /// All of the sheet dries alike: at the speed of the wind against the cloth's mean velocity, over a
-    /// length that is the root of its area.
+    /// All of the sheet dries alike: at the speed of the wind, on average over the sheet, against the cloth's mean
+    /// velocity, over a length that is the root of its area.
     Air& air();
     const Air& air() const;
+
+    /// Says what a solid is to this cloth: how its friction coefficients depend on the water of each node, and
+    /// whether wet cloth clings to it. Of a solid that nothing is said of, the friction coefficient is that on
+    /// a plate, times m_cfg.kDF x the solid's own friction over the fabric's dry one, so that dry cloth has
+    /// Bullet's own; and wet cloth clings to it as to a plate.
+    ///
+    /// Friction is Coulomb's, for each node by its own water (see `frictionCoefficient`). Cling is cohesion (see
+    /// `WetLaws::clingEnergy`): where wet cloth has touched it stays bonded, and is pulled back with energy / reach x
+    /// area of the node, up to the reach of the bond, the root of a node's area (1 to 10 mm), where it breaks. So
+    /// to peel a strip at a right angle takes energy x width, and cloth hangs from a ceiling as long as energy / reach
+    /// exceeds its weight. A bond adds to what presses the faces together, and so to friction. Both act back on the solid.
+    /// @param solid  by its address, which need not exist any more; where another takes its place in memory,
+    ///               say so again
+    void setSurface(const btCollisionObject& solid, SurfaceKind kind);
+    /// The same for a surface of your own. @throws std::invalid_argument for a value out of range
+    void setSurface(const btCollisionObject& solid, const Surface& surface);
+    /// Forgets what was said of a solid.
+    void clearSurface(const btCollisionObject& solid);
 
     /// Adds a source of water: one of those in sources.h and wet_contact.h, or your own. It works from the
     /// next substep on, in the account of its name; sources of the same name share it.
@@ -225,8 +244,8 @@ class WetCloth {
     /// world or no longer exists.
     /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive
     ///     and finite, air or a source's setting out of range, and whatever a source of your own throws;
-    ///     std::runtime_error if a position, velocity or force of the body, its timescale, the wind or the gravity
-    ///     is not finite, the gravity is over 1e4 m/s2, if its nodes, links or faces have changed in number,
+    ///     std::runtime_error if a position, velocity or force of the body, its timescale, the wind, also that of its
+    ///     field, or the gravity is not finite, the gravity is over 1e4 m/s2, if its nodes, links or faces have changed in number,
     ///     or, in the deformable world, for explicit substeps beyond `stepBound` and implicit ones without
     ///     projection. The body is then as before the call; of the sources, those before the one that threw have
     ///     given.

@@ -39,6 +39,14 @@ class WetLaws {
     /// Bending friction over dry, 1.
     double bendingFrictionRatio(double content) const { return ratio(wetBendingFrictionRatio_, content); }
 
+    /// Energy that it takes to peel the cloth off a wettable surface, or off another wet cloth, J/m2. None up to the
+    /// bound maximum, all of `Fabric::clingEnergy` from a pore saturation of 0.3 on (at most; assumed), while a
+    /// film on the face of up to 0.1 mm bridges the gap; none any more from 0.2 mm on, where it drains instead
+    /// (assumed). Linear in between.
+    /// @param saturation     of the pores, 0 to 1
+    /// @param filmThickness  on one face, m
+    double clingEnergy(double saturation, double filmThickness) const;
+
     /// Drag at a pore saturation of 0 to 1; water closes the pores linearly (measured in shape).
     AirDrag drag(double saturation) const;
 
@@ -61,6 +69,8 @@ class WetLaws {
     double wetStretchRatio_;
     double wetBendingRatio_;
     double wetBendingFrictionRatio_;
+    double clingEnergy_;                   // J/m2
+    double bindingSaturation_;             // of the pores, with the bound maximum in them
     double airPermeabilityDry_;            // m/(s Pa)
     double airPermeabilitySaturated_;      // m/(s Pa)
     std::array<double, 3> absorptionDry_;  // K/S

@@ -10,6 +10,7 @@
 #include "drench/precision.h"
 #include "drench/source.h"
 #include "node_masses.h"
+#include "submersion.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -17,16 +18,19 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// Books in one account of the sheet's moisture, notes the momentum that arrives, and wakes the body.
 class AccountSupply final : public Supply {
   public:
+    /// What it works on, all of which outlives it.
+    struct Sheet {
+        Moisture& moisture;
+        std::vector<Arrival>& arrivals;
+        Submersion& submersion;
+        btSoftBody& body;
+        const BodyWatch& watch;
+    };
     /// @param momentumShare  of arriving water that pushes the body: 1 / waterSpeed for a source that runs in
     ///     water time, since the body is hit by so much less in its own time
-    AccountSupply(Moisture& moisture, std::vector<Arrival>& arrivals, btSoftBody& body,
-                  const BodyWatch& watch, std::size_t account, double momentumShare)
-        : moisture_(moisture),
-          arrivals_(arrivals),
-          body_(body),
-          watch_(watch),
-          account_(account),
-          momentumShare_(momentumShare) {}
+    /// @param noticeable     water beyond which the body wakes, kg; what comes flying always wakes it
+    AccountSupply(const Sheet& sheet, std::size_t account, double momentumShare, double noticeable)
+        : sheet_(sheet), account_(account), momentumShare_(momentumShare), noticeable_(noticeable) {}
 
     void addFilm(std::size_t node, double mass, const Eigen::Vector3d& velocity) override;
     void addFilm(std::size_t node, double mass) override;
@@ -34,16 +38,17 @@ class AccountSupply final : public Supply {
     double takeFilm(std::size_t node, double mass) override;
     double takePores(std::size_t node, double mass) override;
     void cover(std::size_t node, double share) override;
+    void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) override;
 
   private:
-    void wake(double mass);
+    void count(double mass);
+    void wake();
 
-    Moisture& moisture_;
-    std::vector<Arrival>& arrivals_;
-    btSoftBody& body_;
-    const BodyWatch& watch_;
+    Sheet sheet_;
     std::size_t account_;
     double momentumShare_;
+    double noticeable_;     // kg
+    double unnoticed_ = 0;  // water that has come and gone since it last woke the body, kg
 };
 
 /// Takes nothing and gives nothing.
@@ -55,6 +60,7 @@ class NoSupply final : public Supply {
     double takeFilm(std::size_t, double) override { return 0; }
     double takePores(std::size_t, double) override { return 0; }
     void cover(std::size_t, double) override {}
+    void submerge(std::size_t, double, const Eigen::Vector3d&) override {}
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -96,8 +96,10 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       watch(body, mechanics),
       taken(body, mechanics),
       shelter(world),
-      airForces(mechanics.shape),
-      application(moisture, arrivals, body, watch, 0, 1),
+      winds(mesh),
+      submersion(mesh.size()),
+      fluidForces(mechanics.shape, fabric),
+      application({moisture, arrivals, submersion, body, watch}, 0, 1, 0),
       pose(mesh),
       contacts(mesh.size()),
       arrivals(mesh.size()) {
@@ -113,6 +115,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
 
 WetCloth::Layer::~Layer() {
     if (stepping == Stepping::byWorld) stopListeningToPreTick(world, *this);
+    stopAwaitingPostTick(world, *this);
     const bool bodyIsAlive = watch.bodyIsAlive();
     if (bodyIsAlive) taken.giveBack(body, dryMasses());
     if (!deformable) return;
@@ -177,7 +180,10 @@ void WetCloth::Layer::add(std::unique_ptr<Source> source) {
     const std::size_t number = moisture.openAccount(source->name());
     // A body is hit by the water of its own time only, however much more the sheet takes up meanwhile.
     const double momentumShare = std::min(1.0, 1 / waterSpeed);
-    auto supply = std::make_unique<AccountSupply>(moisture, arrivals, body, watch, number, momentumShare);
+    // Cloth that floats may go to sleep, while its last pores fill ever more slowly, and wakes as it gets heavier.
+    const double noticeable = 1e-3 * laws.mass(totalArea, 0);
+    auto supply = std::make_unique<AccountSupply>(
+        AccountSupply::Sheet{moisture, arrivals, submersion, body, watch}, number, momentumShare, noticeable);
     suppliers.push_back({std::move(source), std::move(supply)});
 }
 
@@ -202,7 +208,7 @@ Supply& WetCloth::Layer::account(const std::string& name) {
     for (NamedAccount& known : accounts)
         if (known.name == name) return known.supply;
     const std::size_t number = moisture.openAccount(name);
-    accounts.push_back({name, AccountSupply(moisture, arrivals, body, watch, number, 1)});
+    accounts.push_back({name, AccountSupply({moisture, arrivals, submersion, body, watch}, number, 1, 0)});
     return accounts.back().supply;
 }
 
@@ -227,6 +233,15 @@ void WetCloth::Layer::substep(btScalar dt) {
     collectDrops();
     takeUpMomentum(body, mechanics.masses, arrivals);
     writeBack(bodyStep);
+    awaitPostTick(world, *this);
+}
+
+void WetCloth::Layer::postTick(btScalar dt) {
+    if (!isInWorld() || !body.isActive()) return;
+    if (deformable)
+        deformableContacts.rewrite(world, body, mechanics.grip, dt, deformableModeOf(world).implicit);
+    else if (!mechanics.movedBySmallSteps)
+        stockContacts.rewrite(world, body, mechanics.grip);
 }
 
 /// The deformable world knows no timescale.
@@ -279,7 +294,7 @@ void WetCloth::Layer::moveWater(double waterTime) {
     constexpr double dampest = 0.999;
     Air around = air;
     around.humidity = std::min(air.humidity, dampest);
-    const double speed = std::min((air.wind - pose.meanVelocity).norm(), 100.0);
+    const double speed = std::min((winds.mean() - pose.meanVelocity).norm(), 100.0);
     const double length = std::clamp(std::sqrt(totalArea), 1e-3, 100.0);
     surroundings.gravity = pose.gravity;
     surroundings.humidity = around.humidity;
@@ -331,13 +346,15 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) {
                 "application has blown the sheet up before this substep");
     }
     if (deformable) deformable->check(world, double(dt));
+    // The last, as shelter lasts from step to step.
+    winds.evaluate(air, {pose, toEigen(body.m_nodes[0].m_x), time, bodyStepOf(dt), world});
 }
 
 void WetCloth::Layer::writeBack(double bodyStep) {
     mechanics.evaluate(laws, moisture);
     writeMasses(body, mechanics.masses);
     if (deformable) {
-        if (body.isActive()) airForces.push(body, laws, air, mechanics, pose, bodyStep);
+        pushByFluid(bodyStep);
         deformable->write(body);
         return;
     }
@@ -346,8 +363,20 @@ void WetCloth::Layer::writeBack(double bodyStep) {
         writeLinkConstants(body, mechanics, bodyStep);
         mechanics.smallSteps = 0;
     }
-    // Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
-    if (body.isActive()) airForces.add(body, laws, air, mechanics, pose, bodyStep);
+    pushByFluid(bodyStep);
+}
+
+/// Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
+void WetCloth::Layer::pushByFluid(double bodyStep) {
+    const FluidForces::Around around = {laws,     winds.velocities(), submersion, moisture, mechanics,
+                                        pose, bodyStep};
+    if (!body.isActive())
+        fluidForces.rest();
+    else if (deformable)
+        fluidForces.push(body, around);
+    else
+        fluidForces.add(body, around);
+    submersion.forget();
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -11,26 +11,31 @@
 #include <vector>
 
 #include "account_supply.h"
-#include "air_forces.h"
 #include "body_watch.h"
+#include "deformable_contacts.h"
 #include "deformable_sheet.h"
 #include "drench/drop.h"
 #include "drench/moisture.h"
 #include "drench/source.h"
 #include "drench/wet_cloth.h"
 #include "drench/wet_laws.h"
+#include "fluid_forces.h"
 #include "node_masses.h"
 #include "pose.h"
+#include "post_tick.h"
 #include "pre_tick.h"
 #include "rigid_shelter.h"
 #include "sheet_mechanics.h"
+#include "stock_contacts.h"
+#include "submersion.h"
 #include "taken_over.h"
+#include "wind_at_nodes.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// One sheet in one world, in the order of the step.
-struct WetCloth::Layer final : PreTickListener {
+struct WetCloth::Layer final : PreTickListener, PostTickListener {
     Layer(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
           const SheetSettings& settings);
     ~Layer();
@@ -66,6 +71,7 @@ struct WetCloth::Layer final : PreTickListener {
     bool isInWorld() const;
 
     void preTick(btScalar dt) override;
+    void postTick(btScalar dt) override;
     void substep(btScalar dt);
     void checkBeforeStep(btScalar dt);
     double bodyStepOf(btScalar dt) const;
@@ -74,6 +80,7 @@ struct WetCloth::Layer final : PreTickListener {
     void moveWater(double waterTime);
     void collectDrops();
     void writeBack(double bodyStep);
+    void pushByFluid(double bodyStep);
 
     btDiscreteDynamicsWorld& world;  // known to exist during its own pre-tick only
     btSoftBody& body;                // exists while the watch says so
@@ -91,8 +98,12 @@ struct WetCloth::Layer final : PreTickListener {
     BodyWatch watch;
     TakenOver taken;
     RigidShelter shelter;
-    AirForces airForces;
+    WindAtNodes winds;
+    Submersion submersion;  // of this substep, or since the last one
+    FluidForces fluidForces;
     std::unique_ptr<DeformableSheet> deformable;  // where the world is deformable; else none
+    StockContacts stockContacts;
+    DeformableContacts deformableContacts;
 
     AccountSupply application;  // for water that the application adds itself
     std::vector<Supplier> suppliers;

@@ -12,6 +12,7 @@ SheetMechanics::SheetMechanics(const Fabric& fabric, RestShape restShape, ClothM
       bending(fabric.bending),
       bendingFriction(fabric.bendingFriction),
       dryStiffness(linkStiffness(fabric, mesh, shape.links)),
+      grip(fabric, mesh),
       masses(shape.nodeAreas.size()),
       saturations(shape.nodeAreas.size()),
       stretchRatios(shape.nodeAreas.size()),
@@ -19,6 +20,7 @@ SheetMechanics::SheetMechanics(const Fabric& fabric, RestShape restShape, ClothM
       bendingFrictionRatios(shape.nodeAreas.size()) {}
 
 void SheetMechanics::evaluate(const WetLaws& laws, const Moisture& moisture) {
+    grip.evaluate(laws, moisture);
     for (std::size_t n = 0; n < masses.size(); ++n) {
         masses[n] = laws.mass(shape.nodeAreas[n], moisture.poreMass()[n] + moisture.filmMass()[n]);
         saturations[n] = moisture.saturation(n);

@@ -10,6 +10,7 @@
 #include "drench/moisture.h"
 #include "drench/precision.h"
 #include "drench/wet_laws.h"
+#include "grip.h"
 #include "rest_shape.h"
 
 namespace drench {
@@ -32,6 +33,7 @@ struct SheetMechanics {
     const double bending;          // bending rigidity of the dry cloth, N m
     const double bendingFriction;  // of the dry cloth, N
     std::vector<LinkStiffness> dryStiffness;
+    Grip grip;
 
     // Of each node, as of this substep.
     std::vector<double> masses;                 // kg

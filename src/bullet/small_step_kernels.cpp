@@ -48,44 +48,67 @@ float normalOf(float* normal, const MovingNode& a, const MovingNode& b, const Mo
     return length;
 }
 
-/// Force of the air on a third of a face; see the wide form.
+void meanOf(float* mean, const MovingNode& a, const MovingNode& b, const MovingNode& c) {
+    constexpr float third = 1.0f / 3;
+    mean[0] = (a.x + b.x + c.x) * third;
+    mean[1] = (a.y + b.y + c.y) * third;
+    mean[2] = (a.z + b.z + c.z) * third;
+}
+
+/// Force of the fluid on a third of a face; see the wide form.
 void pushFace(MovingNode* forces, const FaceBlock& block, const MovingNode* positions,
-              const MovingNode* velocities, const AirLaws& laws, std::size_t lane) {
+              const MovingNode* velocities, const MovingNode* accelerations, const FluidNode* fluid,
+              const FluidLaws& laws, std::size_t lane) {
     constexpr float tiny = 1e-30f, third = 1.0f / 3;
     const std::int32_t nodes[3] = {block.nodes[0][lane], block.nodes[1][lane], block.nodes[2][lane]};
-    float normal[3], velocity[3], mass = 0, permeability = 0, through = 0;
-    const float doubleArea = normalOf(normal, positions[nodes[0]], positions[nodes[1]], positions[nodes[2]]);
+    const std::int32_t a = nodes[0], b = nodes[1], c = nodes[2];
+    float normal[3], velocity[3], acceleration[3], next[3], through = 0, pulled = 0, alongSquared = 0;
+    const float area = 0.5f * normalOf(normal, positions[a], positions[b], positions[c]);
+    meanOf(velocity, velocities[a], velocities[b], velocities[c]);
+    meanOf(acceleration, accelerations[a], accelerations[b], accelerations[c]);
+    FluidNode mean = {0, 0, 0, 0};
     for (const std::int32_t node : nodes) {
-        mass += positions[node].inverseMass * third * block.restArea[lane];
-        permeability += velocities[node].inverseMass * third;
+        mean.share += fluid[node].share * third;
+        mean.shareBefore += fluid[node].shareBefore * third;
+        mean.massPerArea += fluid[node].massPerArea * third;
+        mean.permeability += fluid[node].permeability * third;
     }
-    const MovingNode &a = velocities[nodes[0]], &b = velocities[nodes[1]], &c = velocities[nodes[2]];
-    velocity[0] = (a.x + b.x + c.x) * third;
-    velocity[1] = (a.y + b.y + c.y) * third;
-    velocity[2] = (a.z + b.z + c.z) * third;
-    for (std::size_t axis = 0; axis < 3; ++axis) through += velocity[axis] * normal[axis];
-    float alongSquared = 0;
+    const float mass = mean.massPerArea * block.restArea[lane], most = laws.addedMass * block.restArea[lane],
+                added = mean.share * most, both = mass + added, before = mass + mean.shareBefore * most;
+    const float density = laws.airDensity + (laws.waterDensity - laws.airDensity) * mean.share;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float along = velocity[axis] - normal[axis] * through;
-        alongSquared += along * along;
+        through += velocity[axis] * normal[axis];
+        pulled += acceleration[axis] * normal[axis];
+        next[axis] = velocity[axis] + acceleration[axis] * laws.substep;
     }
-    const float speed = std::abs(through), area = 0.5f * doubleArea;
-    const float left = 2 / (1 + std::sqrt(1 + 4 * laws.pressure * permeability * speed));
-    const float acrossResistance = area * laws.pressure * speed * left * left;
-    const float alongResistance = area * laws.shear * std::sqrt(alongSquared);
-    const float byAcross = -third * mass * acrossResistance / (mass + acrossResistance * laws.substep + tiny);
-    const float byAlong = -third * mass * alongResistance / (mass + alongResistance * laws.substep + tiny);
+    const float nextAcross = through + pulled * laws.substep;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        next[axis] -= normal[axis] * nextAcross;
+        alongSquared += next[axis] * next[axis];
+    }
+    const float momentum = before * through + mass * pulled * laws.substep, size = std::abs(momentum);
+    const float pressure = laws.pressure * density, shear = laws.shear * density * area;
+    const float slowing = (both * mean.permeability + area * laws.substep) * pressure;
+    const float left = 2 * size / (both + std::sqrt(both * both + 4 * size * slowing) + tiny);
+    const float dragAcross = area * pressure * left * (momentum < 0 ? -left : left);
+    const float across =
+        mass / (both + tiny) * (dragAcross + added * pulled + (both - before) * through / laws.substep);
+    const float speedAlong = std::sqrt(alongSquared);
+    const float share =
+        2 * mass / (mass + std::sqrt(mass * mass + 4 * mass * shear * laws.substep * speedAlong) + tiny);
+    const float along = shear * speedAlong * share * share;
     float force[3];
     for (std::size_t axis = 0; axis < 3; ++axis)
-        force[axis] = normal[axis] * through * (byAcross - byAlong) + velocity[axis] * byAlong;
+        force[axis] = -third * (normal[axis] * across + next[axis] * along);
     for (const std::int32_t node : nodes) addTo(forces[node], force[0], force[1], force[2], 1);
 }
 
-void pushByAir(MovingNode* forces, const FaceBlock* blocks, const MovingNode* positions,
-               const MovingNode* velocities, const AirLaws& laws, std::size_t count) {
+void pushByFluid(MovingNode* forces, const FaceBlock* blocks, const MovingNode* positions,
+                 const MovingNode* velocities, const MovingNode* accelerations, const FluidNode* fluid,
+                 const FluidLaws& laws, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t lane = 0; lane < blockWidth; ++lane)
-            pushFace(forces, blocks[i], positions, velocities, laws, lane);
+            pushFace(forces, blocks[i], positions, velocities, accelerations, fluid, laws, lane);
 }
 
 void prepareLinks(LinkBlock* blocks, const float* dry, const MovingNode* start, const NodeRatios* ratios,
@@ -238,7 +261,7 @@ void preparePlates(MovingNode* push, PlateBlock* blocks, PlateState* states, con
 }  // namespace
 
 const SmallStepKernels& scalarKernels() {
-    static const SmallStepKernels kernels = {"scalar",   advance,       pushByAir,  prepareLinks,
+    static const SmallStepKernels kernels = {"scalar",   advance,       pushByFluid, prepareLinks,
                                              solveLinks, preparePlates, solvePlates};
     return kernels;
 }
@@ -249,7 +272,7 @@ namespace {
 
 const SmallStepKernels& baselineKernels() {
     static const SmallStepKernels kernels = {
-        "baseline vectors",   baseline::advance,       baseline::pushByAir,  baseline::prepareLinks,
+        "baseline vectors",   baseline::advance,       baseline::pushByFluid, baseline::prepareLinks,
         baseline::solveLinks, baseline::preparePlates, baseline::solvePlates};
     return kernels;
 }

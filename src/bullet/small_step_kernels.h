@@ -65,11 +65,21 @@ struct alignas(32) FaceBlock {
     float restArea[blockWidth];  // m2
 };
 
-/// How the air pushes; see AirForces.
-struct AirLaws {
-    float pressure;  // over the square of the speed across a face, kg/m3
-    float shear;     // over the square of the speed along it, kg/m3
-    float substep;   // s
+/// A node in air and water.
+struct alignas(16) FluidNode {
+    float share;         // that is under water, 0 to 1
+    float shareBefore;   // that was in the last substep, at most that of now
+    float massPerArea;   // of the cloth with its water, kg/m2
+    float permeability;  // speed of the fluid through the cloth per pressure, m/(s Pa)
+};
+
+/// How air and water push; see FluidForces.
+struct FluidLaws {
+    float airDensity, waterDensity;  // kg/m3
+    float pressure;                  // over the density and the square of the speed across a face, 1
+    float shear;                     // over the density and the square of the speed along it, 1
+    float addedMass;                 // of the water that moves along across the cloth, kg/m2
+    float substep;                   // s
 };
 
 /// The constant by which a link's stretch is divided before its nodes take it back: w for hard links, w / 2 + 1
@@ -104,11 +114,13 @@ struct SmallStepKernels {
     void (*advance)(MovingNode* moved, MovingNode* predicted, MovingNode* steps, const MovingNode* push,
                     float keep, std::size_t count);
 
-    /// Adds the forces of the air to the nodes of faces, N.
-    /// @param positions   m; in place of the inverse mass, mass per area, kg/m2
-    /// @param velocities  against the wind, m/s; in place of the inverse mass, permeability to air, m/(s Pa)
-    void (*pushByAir)(MovingNode* forces, const FaceBlock* blocks, const MovingNode* positions,
-                      const MovingNode* velocities, const AirLaws& laws, std::size_t count);
+    /// Adds the forces of the fluid to the nodes of faces, N.
+    /// @param positions      m
+    /// @param velocities     against the fluid, m/s
+    /// @param accelerations  by everything but this, m/s2
+    void (*pushByFluid)(MovingNode* forces, const FaceBlock* blocks, const MovingNode* positions,
+                        const MovingNode* velocities, const MovingNode* accelerations, const FluidNode* fluid,
+                        const FluidLaws& laws, std::size_t count);
 
     /// Reads off what the links need for this substep.
     /// @param start           positions, m

@@ -100,18 +100,19 @@ void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
 }
 
 /// Readies the trees and the node states in which Bullet looks for contacts of soft bodies, so that it finds
-/// those that may come within the substep: around each node it looks twice as far as from m_x to m_q.
-void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth) {
+/// those that may come within the substep, and bonds as far as they reach: around each node it looks twice as far as
+/// from m_x to m_q.
+void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth, const Grip& grip) {
     if (body.m_fdbvt.empty()) body.initializeFaceTree();  // which else comes with the first stock step
     const btScalar margin = body.getCollisionShape()->getMargin();
     ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
+    const btScalar reach = grip.clings() ? btScalar(grip.reach()) : btScalar(0);
     btScalar farthest = 0;
     for (std::size_t n = 0; n < cloth.size(); ++n) {
         btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-        const btVector3 motion = vectorOf(cloth.reach(n));
-        const btScalar length = motion.length();
+        const btScalar length = vectorOf(cloth.reach(n)).length() + reach;
         farthest = std::max(farthest, length);
-        node.m_q = node.m_x - motion / 2;
+        node.m_q = node.m_x - btVector3(length / 2, 0, 0);
         volume = btDbvtVolume::FromCR(node.m_x, margin + length);
         body.m_ndbvt.update(node.m_leaf, volume);
     }
@@ -192,7 +193,8 @@ void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics
     while (body.m_rcontacts.size() > 0) body.m_rcontacts.pop_back();
     body.m_scontacts.resize(0);
     writeBounds(body, sheet.cloth);
-    if (body.m_cfg.collisions & btSoftBody::fCollision::VF_SS) prepareSoftContacts(body, sheet.cloth);
+    if (body.m_cfg.collisions & btSoftBody::fCollision::VF_SS)
+        prepareSoftContacts(body, sheet.cloth, mechanics.grip);
 }
 
 void SmallStepSolver::processCollision(btSoftBody* body, const btCollisionObjectWrapper* solid) {
@@ -201,16 +203,16 @@ void SmallStepSolver::processCollision(btSoftBody* body, const btCollisionObject
     using Collision = btSoftBody::fCollision;
     if ((body->m_cfg.collisions & Collision::RVSmask) != Collision::SDF_RS || !body->isActive()) return;
     MovingSheet& sheet = *mechanics->moving;
-    sheet.contacts.find(*body, sheet.cloth, *solid, double(body->m_sst.sdt), state_->solids);
+    sheet.contacts.find(*body, sheet.cloth, mechanics->grip, *solid, double(body->m_sst.sdt), state_->solids);
 }
 
 void SmallStepSolver::processCollision(btSoftBody* body, btSoftBody* other) {
-    const int first = body->m_scontacts.size(), firstOfOther = other->m_scontacts.size();
-    btDefaultSoftBodySolver::processCollision(body, other);
-    if (!movedHere(*body) && !movedHere(*other)) return;
-    const btScalar margin = body->getCollisionShape()->getMargin() + other->getCollisionShape()->getMargin();
-    state_->softContacts.take(*body, first, *other, margin);
-    state_->softContacts.take(*other, firstOfOther, *body, margin);
+    if (!movedHere(*body) && !movedHere(*other))
+        return btDefaultSoftBodySolver::processCollision(body, other);
+    using Collision = btSoftBody::fCollision;
+    if (body == other || !(body->m_cfg.collisions & other->m_cfg.collisions & Collision::VF_SS)) return;
+    state_->softContacts.find(*body, *other);
+    state_->softContacts.find(*other, *body);
 }
 
 void SmallStepSolver::solveConstraints(btScalar substep) {
@@ -256,7 +258,7 @@ void SmallStepSolver::State::begin(btScalar substep) {
     softSheets.clear();
     for (const Solving& each : sheets) {
         each.sheet->cloth.divide(*each.mechanics, steps);
-        softSheets.push_back({each.body, &each.sheet->cloth});
+        softSheets.push_back({each.body, &each.sheet->cloth, &each.mechanics->grip});
         each.sheet->contacts.begin(*each.body, each.sheet->cloth, solids);
         each.sheet->anchors.begin(*each.body, each.sheet->cloth, solids);
         if (settings.tethers)
@@ -282,10 +284,10 @@ void SmallStepSolver::State::finish(btScalar substep) {
     for (const Solving& each : sheets) {
         if (!each.sheet->cloth.finish(*each.body)) ++each.mechanics->heldSubsteps;
         each.mechanics->smallSteps = steps;
-        each.sheet->contacts.finish(*each.body, solids, double(substep));
+        each.sheet->contacts.finish(*each.body, each.mechanics->grip, solids, double(substep));
     }
     solids.finish(sheets[0].body->m_worldInfo->m_dispatcher);
-    softContacts.finish();
+    softContacts.finish(softSheets);
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

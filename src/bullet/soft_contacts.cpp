@@ -1,5 +1,7 @@
 #include "soft_contacts.h"
 
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,14 +17,49 @@ bool holds(const btSoftBody& body, const btSoftBody::Node& node) {
 
 }  // namespace
 
-void SoftContacts::take(btSoftBody& owner, int first, btSoftBody& other, btScalar margin) {
-    for (int i = first; i < owner.m_scontacts.size(); ++i) {
-        const btSoftBody::SContact& contact = owner.m_scontacts[i];
-        // Of a node in the very plane of a face Bullet does not know which way is out.
-        const btVector3 all = contact.m_normal + contact.m_weights;
-        if (std::isfinite(all.x() + all.y() + all.z())) found_.push_back({&owner, &other, contact, margin});
+struct SoftContacts::Finder final : btDbvt::ICollide {
+    Finder(std::vector<Found>& found, btSoftBody& nodes, btSoftBody& faces)
+        : found_(found),
+          owner_(nodes),
+          other_(faces),
+          margin_(nodes.getCollisionShape()->getMargin() + faces.getCollisionShape()->getMargin()),
+          friction_(std::max(nodes.m_cfg.kDF, faces.m_cfg.kDF)) {}
+
+    void Process(const btDbvtNode* leafOfNode, const btDbvtNode* leafOfFace) override {
+        auto& node = *static_cast<btSoftBody::Node*>(leafOfNode->data);
+        auto& face = *static_cast<btSoftBody::Face*>(leafOfFace->data);
+        btSubSimplexClosestResult nearest;
+        simplex_.closestPtPointTriangle(node.m_x, face.m_n[0]->m_x, face.m_n[1]->m_x, face.m_n[2]->m_x,
+                                        nearest);
+        const btVector3 apart = node.m_x - nearest.m_closestPointOnSimplex;
+        const btScalar distance = apart.length();
+        const btScalar farthest = margin_ + 2 * (node.m_x - node.m_q).length();
+        // Of a node in the very plane of a face nobody knows which way is out.
+        if (!(distance > SIMD_EPSILON && distance < farthest)) return;
+        btSoftBody::SContact contact;
+        contact.m_node = &node;
+        contact.m_face = &face;
+        const btScalar* const weights = nearest.m_barycentricCoords;
+        contact.m_weights.setValue(weights[0], weights[1], weights[2]);
+        contact.m_normal = apart / distance;
+        contact.m_margin = farthest;
+        contact.m_friction = friction_;
+        contact.m_cfm[0] = contact.m_cfm[1] = 0;  // of Bullet's solver
+        found_.push_back({&owner_, &other_, contact, margin_});
     }
-    owner.m_scontacts.resize(first);
+
+  private:
+    std::vector<Found>& found_;
+    btSoftBody& owner_;
+    btSoftBody& other_;
+    const btScalar margin_;
+    const btScalar friction_;
+    btVoronoiSimplexSolver simplex_;
+};
+
+void SoftContacts::find(btSoftBody& nodes, btSoftBody& faces) {
+    Finder finder(found_, nodes, faces);
+    nodes.m_ndbvt.collideTT(nodes.m_ndbvt.m_root, faces.m_fdbvt.m_root, finder);
 }
 
 void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int steps) {
@@ -31,6 +68,43 @@ void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int s
     contacts_.clear();
     guests_.clear();
     for (const Found& found : found_) contacts_.push_back(placed(found, sheets));
+    for (const Sheet& sheet : sheets) bond(sheet, sheets);
+}
+
+void SoftContacts::bond(const Sheet& sheet, const std::vector<Sheet>& sheets) {
+    Grip& grip = *sheet.grip;
+    if (!grip.clings()) return;
+    nearest_.assign(sheet.cloth->size(), -1);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        Contact& contact = contacts_[i];
+        if (contact.sheets[0] != sheet.cloth) continue;
+        int& nearest = nearest_[contact.nodes[0]];
+        if (nearest < 0 || contact.gap < contacts_[static_cast<std::size_t>(nearest)].gap)
+            nearest = static_cast<int>(i);
+    }
+    for (const int nearest : nearest_) {
+        if (nearest < 0) continue;
+        const auto i = static_cast<std::size_t>(nearest);
+        const auto other = std::find_if(sheets.begin(), sheets.end(), [&](const Sheet& each) {
+            return each.cloth == contacts_[i].sheets[1];
+        });
+        bond(contacts_[i], *found_[i].other, grip, other == sheets.end() ? nullptr : other->grip);
+    }
+}
+
+void SoftContacts::bond(Contact& contact, const btSoftBody& other, const Grip& ofNode, const Grip* ofFace) {
+    const std::size_t node = contact.nodes[0];
+    double traction = ofNode.bondTraction(node);
+    if (ofFace) {
+        double ofOther = 0;
+        for (std::size_t corner = 1; corner < 4; ++corner)
+            ofOther -= double(contact.weights[corner]) * ofFace->bondTraction(contact.nodes[corner]);
+        // Both have to be wet; and the nodes of either hold one half.
+        traction = 0.5 * std::min(traction, ofOther);
+    }
+    contact.bond = float(traction * ofNode.area(node));
+    contact.reach = float(ofNode.reach());
+    contact.isBonded = contact.bond > 0 && (contact.gap < 0 || ofNode.bondedToCloth[node] == &other);
 }
 
 SoftContacts::Contact SoftContacts::placed(const Found& found, const std::vector<Sheet>& sheets) {
@@ -46,6 +120,9 @@ SoftContacts::Contact SoftContacts::placed(const Found& found, const std::vector
     }
     contact.normal = source.m_normal;
     contact.friction = float(source.m_friction);
+    for (const Sheet& sheet : sheets)
+        if (sheet.cloth == contact.sheets[0])
+            contact.friction *= float(sheet.grip->frictionRatio(contact.nodes[0]));
     for (std::size_t i = 0; i < 4; ++i)
         contact.response += contact.weights[i] * contact.weights[i] * contact.moved[i]->inverseMass;
     contact.gap = float(apart.dot(source.m_normal) - found.margin);
@@ -114,15 +191,19 @@ void SoftContacts::solve() {
         for (std::size_t i = 0; i < 4; ++i)
             apart += vectorOf(*contact.moved[i]) * btScalar(contact.weights[i]);
         const btScalar depth = -(btScalar(contact.gap) + apart.dot(contact.normal));
-        if (!(depth > 0 && depth < std::numeric_limits<btScalar>::max()))
+        contact.isBonded =
+            contact.bond > 0 && (contact.isBonded ? depth > -btScalar(contact.reach) : depth > 0);
+        if (!((depth > 0 || contact.isBonded) && std::abs(depth) < std::numeric_limits<btScalar>::max()))
             continue;  // nor for what is not finite
         contact.touched = true;
+        const btScalar held = contact.isBonded ? bondedWay(contact) : btScalar(0);
+        const btScalar closing = std::max(depth, -held);
 
         btVector3 slip(0, 0, 0);
         for (std::size_t i = 0; i < 4; ++i) slip += step(contact, i) * btScalar(contact.weights[i]);
         slip -= contact.normal * slip.dot(contact.normal);
-        const btScalar length = slip.length(), most = btScalar(contact.friction) * depth;
-        btVector3 push = contact.normal * depth;
+        const btScalar length = slip.length(), most = btScalar(contact.friction) * (closing + held);
+        btVector3 push = contact.normal * closing;
         if (length > 0) push -= slip * (std::min(most, length) / length);
         for (std::size_t i = 0; i < 4; ++i)
             shift(*contact.moved[i],
@@ -130,9 +211,23 @@ void SoftContacts::solve() {
     }
 }
 
-void SoftContacts::finish() {
-    for (std::size_t i = 0; i < contacts_.size(); ++i)
-        if (contacts_[i].touched) found_[i].owner->m_scontacts.push_back(found_[i].contact);
+/// How far a bond takes node and face together in a small step, m.
+btScalar SoftContacts::bondedWay(const Contact& contact) {
+    const double h = contact.sheets[0]->smallStep();
+    return btScalar(double(contact.bond) * h * h * double(contact.response));
+}
+
+void SoftContacts::finish(const std::vector<Sheet>& sheets) {
+    for (const Sheet& sheet : sheets)
+        std::fill(sheet.grip->bondedToCloth.begin(), sheet.grip->bondedToCloth.end(), nullptr);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const Contact& contact = contacts_[i];
+        if (contact.touched) found_[i].owner->m_scontacts.push_back(found_[i].contact);
+        if (!contact.isBonded) continue;
+        for (const Sheet& sheet : sheets)
+            if (sheet.cloth == contact.sheets[0])
+                sheet.grip->bondedToCloth[contact.nodes[0]] = found_[i].other;
+    }
     for (const Guest& guest : guests_) {
         const btVector3 moved = vectorOf(guest.moved);
         if (!(guest.moved.inverseMass > 0) || !std::isfinite(moved.x() + moved.y() + moved.z())) continue;

@@ -1,4 +1,4 @@
-// Where sheets that small steps move meet other soft bodies, as Bullet finds it.
+// Where sheets that small steps move meet other soft bodies.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drench/precision.h"
+#include "grip.h"
 #include "small_step_sheet.h"
 
 namespace drench {
@@ -20,24 +21,25 @@ class SoftContacts {
     struct Sheet {
         btSoftBody* body;
         SmallStepSheet* cloth;
+        Grip* grip;
     };
 
     void clear() { found_.clear(); }
 
-    /// Takes contacts out of a body's list.
-    /// @param first   index of the first that is to go
-    /// @param other   whose faces they are with
-    /// @param margin  at which the bodies rest on each other, m
-    void take(btSoftBody& owner, int first, btSoftBody& other, btScalar margin);
+    /// Looks for contacts of the nodes of one body with the faces of another, in Bullet's trees. (Bullet's own
+    /// search takes triangles of less than 1.7 cm2 for points, and finds nothing on them.)
+    void find(btSoftBody& nodes, btSoftBody& faces);
 
     // Then, in each substep and each of its small steps.
     void begin(const std::vector<Sheet>& sheets, double substep, int steps);
     void advance();
     void solve();
-    /// Puts those contacts that have touched back into the bodies' lists, and guests where they have come to.
-    void finish();
+    /// Puts those contacts that have touched back into the bodies' lists, guests where they have come to, and
+    /// bonds where sheets remember them.
+    void finish(const std::vector<Sheet>& sheets);
 
   private:
+    struct Finder;
     struct Found {
         btSoftBody* owner;  // of the node
         btSoftBody* other;  // of the face
@@ -53,6 +55,9 @@ class SoftContacts {
         float gap;         // as the substep begins, m
         float friction;    // coefficient, 1
         float response;    // to a push along the normal, 1/kg
+        float bond;        // force that it holds, N
+        float reach;       // of the bond, m
+        bool isBonded;
         bool touched;
     };
     /// A node of a body that Bullet moves, and has moved already.
@@ -69,12 +74,17 @@ class SoftContacts {
     btVector3 place(Contact& contact, std::size_t corner, btSoftBody::Node& node, const btSoftBody& body,
                     const std::vector<Sheet>& sheets);
     void lift(Contact& contact, float margin);
+    /// Has wet cloth cling by the nearest contact of each node: of all of them it would be held several times.
+    void bond(const Sheet& sheet, const std::vector<Sheet>& sheets);
+    static void bond(Contact& contact, const btSoftBody& other, const Grip& ofNode, const Grip* ofFace);
+    static btScalar bondedWay(const Contact& contact);
     std::size_t guestOf(btSoftBody::Node& node, bool isAwake);
     btVector3 step(const Contact& contact, std::size_t corner) const;
 
     std::vector<Found> found_;
     std::vector<Contact> contacts_;  // of the same index
     std::deque<Guest> guests_;       // stay where they are
+    std::vector<int> nearest_;       // contact of each node of a sheet; -1 for none
     btScalar substep_ = 0;           // s
     btScalar share_ = 0;             // of a small step in the substep
 };

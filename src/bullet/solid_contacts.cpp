@@ -37,12 +37,13 @@ struct SolidContacts::Touching {
     std::size_t solid;  // index
     Bounds bounds;
     btScalar margin;
-    float friction;
+    const Grip& grip;
+    Surface surface;
     double substep;
 };
 
-void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const btCollisionObjectWrapper& solid,
-                         double substep, Solids& solids) {
+void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const Grip& grip,
+                         const btCollisionObjectWrapper& solid, double substep, Solids& solids) {
     const btCollisionObject& object = *solid.getCollisionObject();
     if (!object.hasContactResponse()) return;
     const btCollisionShape& shape = *solid.getCollisionShape();
@@ -55,11 +56,14 @@ void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const bt
                   solids.indexOf(object),
                   {},
                   body.getCollisionShape()->getMargin(),
-                  float(body.m_cfg.kDF * object.getFriction()),
+                  grip,
+                  grip.surfaceAt(object, body.m_cfg.kDF),
                   substep};
+    reach_ = btScalar(grip.reach());
     shape.getAabb(transform, with.bounds.low, with.bounds.high);
     const btVector3 centre = (with.bounds.low + with.bounds.high) / 2;
-    with.bounds.grow(2 * with.margin + ownMotion(object, centre, substep).length() + sheet.farthestReach());
+    with.bounds.grow(2 * with.margin + (grip.clings() ? reach_ : 0) +
+                     ownMotion(object, centre, substep).length() + sheet.farthestReach());
     if (with.isTriangle && mesh_ != &object) {
         mesh_ = &object;
         meshContacts_.assign(sheet.size(), {-1, -1, -1});
@@ -83,9 +87,11 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
     const SurfacePoint surface =
         with.isTriangle ? nearestOnTriangle(with.shape, with.transform, node.m_x)
                         : nearestSurface(with.shape, with.transform, node.m_x, body.m_worldInfo->m_sparsesdf);
-    // Its neighbours may pull a node on further than it would go by itself.
+    // Its neighbours may pull a node on further than it would go by itself: as far as any of the sheet goes.
     const btVector3 approach = reach - ownMotion(with.object, node.m_x, with.substep);
-    const btScalar slack = with.margin + approach.length();
+    const bool isBonded = with.grip.bondedTo[n] == &with.object;
+    const btScalar slack =
+        with.margin + std::max(approach.length(), sheet.farthestReach()) + (isBonded ? reach_ : 0);
     if (surface.distance > with.margin + slack + std::max(btScalar(0), -approach.dot(surface.normal))) return;
 
     const Place place{with.solid,
@@ -99,7 +105,14 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
     const std::size_t at =
         with.isTriangle ? placeOnMesh(n, place, surface.distance, node.m_x) : contacts_.size();
     if (at == contacts_.size()) {
-        contacts_.push_back({static_cast<int>(n), {}, 0, with.friction, false});
+        const double bond = with.surface.wettability * with.grip.bond(n);
+        contacts_.push_back({static_cast<int>(n),
+                             {},
+                             0,
+                             float(with.grip.friction(with.surface, n)),
+                             float(bond),
+                             isBonded && bond > 0,
+                             false});
         places_.push_back(place);
     } else if (at < contacts_.size()) {
         places_[at] = place;
@@ -145,6 +158,7 @@ void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const S
         const btScalar inside = -(btScalar(contact.gap) +
                                   place.normal.dot(vectorOf(sheet.moved(n)) - solid.displacement(place.arm)));
         if (inside <= 0) continue;
+        contact.isBonded = contact.bond > 0;
         // Lifted without a velocity of its own, and not farther than the cloth's margin at once; what is left
         // waits for the next substep.
         const btScalar lifted = std::min(inside, margin);
@@ -176,7 +190,9 @@ void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
         const float gap = contact.gap + normal[0] * (node.x - float(displacement.x())) +
                           normal[1] * (node.y - float(displacement.y())) +
                           normal[2] * (node.z - float(displacement.z()));
-        if (!(gap < 0 && gap > -std::numeric_limits<float>::max())) continue;  // nor for what is not finite
+        contact.isBonded = contact.bond > 0 && (contact.isBonded ? gap < float(reach_) : gap < 0);
+        if (!((gap < 0 || contact.isBonded) && std::abs(gap) < std::numeric_limits<float>::max()))
+            continue;  // nor for what is not finite
         contact.touched = true;
         hold(sheet, contact, places_[i], solid, -gap);
     }
@@ -189,22 +205,27 @@ void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const Pl
     const btVector3 normal(btScalar(contact.normal[0]), btScalar(contact.normal[1]),
                            btScalar(contact.normal[2]));
     const auto inverseMass = btScalar(node.inverseMass);
-    const btScalar push = btScalar(depth) / (inverseMass + place.response);
+    const auto h = btScalar(sheet.smallStep());
+    const btScalar bond = contact.isBonded ? btScalar(contact.bond) * h * h : btScalar(0);
+    const btScalar push = std::max(btScalar(depth) / (inverseMass + place.response), -bond);
     const btVector3 slip = sheet.step(n) - solid.step(place.arm);
     const btVector3 along = slip - normal * slip.dot(normal);
-    const btScalar length = along.length(), most = btScalar(contact.friction) * push;
+    // What presses the faces together is what holds them apart: the push, and that against the bond.
+    const btScalar length = along.length(), most = btScalar(contact.friction) * (push + bond);
     btVector3 total = normal * push;
     if (length > 0) total -= along * (std::min(most, length / (inverseMass + place.response)) / length);
     shift(node, total * inverseMass);
     solid.push(place.arm, -total);
 }
 
-void SolidContacts::finish(btSoftBody& body, const Solids& solids, double substep) const {
+void SolidContacts::finish(btSoftBody& body, Grip& grip, const Solids& solids, double substep) const {
+    std::fill(grip.bondedTo.begin(), grip.bondedTo.end(), nullptr);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const Contact& contact = contacts_[i];
         if (!contact.touched) continue;
         const Place& place = places_[i];
         const Solid& solid = solids[place.solid];
+        if (contact.isBonded) grip.bondedTo[static_cast<std::size_t>(contact.node)] = &solid.object();
         btSoftBody::RContact found;
         btSoftBody::Node& node = body.m_nodes[contact.node];
         found.m_cti.m_colObj = &solid.object();

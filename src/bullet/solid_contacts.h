@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drench/precision.h"
+#include "grip.h"
 #include "small_step_sheet.h"
 #include "solids.h"
 
@@ -16,14 +17,15 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Each contact is a plane, moving with the solid, on the side of which its node stays: the tangent plane at the
 /// surface point nearest to the node as the substep begins. So a node never passes a convex solid that
-/// does not spin, however fast or thin. Nodes that might reach a solid within the substep count too.
+/// does not spin, however fast or thin. Nodes that might reach a solid within the substep count too. A node that is
+/// bonded to the solid is held back on the other side as well, as far as its bond is strong and long.
 class SolidContacts {
   public:
     void clear();
 
-    /// Looks for nodes of a sheet that might touch a solid within the substep.
-    void find(btSoftBody& body, const SmallStepSheet& sheet, const btCollisionObjectWrapper& solid,
-              double substep, Solids& solids);
+    /// Looks for nodes of a sheet that might touch a solid within the substep, or are bonded to it.
+    void find(btSoftBody& body, const SmallStepSheet& sheet, const Grip& grip,
+              const btCollisionObjectWrapper& solid, double substep, Solids& solids);
 
     /// Places the planes for the substep, and lifts nodes out of solids that they start in.
     void begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids);
@@ -31,8 +33,8 @@ class SolidContacts {
     /// Keeps nodes on their side, against Coulomb friction along the planes.
     void solve(SmallStepSheet& sheet, Solids& solids);
 
-    /// Tells the body what it has touched, in m_rcontacts.
-    void finish(btSoftBody& body, const Solids& solids, double substep) const;
+    /// Tells the body what it has touched, in m_rcontacts, and the grip what it is bonded to.
+    void finish(btSoftBody& body, Grip& grip, const Solids& solids, double substep) const;
 
   private:
     struct Touching;
@@ -41,6 +43,8 @@ class SolidContacts {
         float normal[3];
         float gap;       // between the node at its start and the plane at the solid's end, m
         float friction;  // coefficient, 1
+        float bond;      // force that it holds, N
+        bool isBonded;
         bool touched;
     };
     /// What only few of the contacts need, of the same index.
@@ -65,6 +69,7 @@ class SolidContacts {
 
     std::vector<Contact> contacts_;
     std::vector<Place> places_;
+    btScalar reach_ = 0;  // of bonds, m
     // A node meets many triangles of a mesh, and stays on its side of the nearest of those that face the same
     // way, of three ways at most. The contacts with the mesh that was met last, of each node; -1 for none.
     std::vector<std::array<int, 3>> meshContacts_;

@@ -4,9 +4,11 @@
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -43,6 +45,22 @@ SurfacePoint ofBox(const btBoxShape& box, const btVector3& point) {
     return {std::abs(point[nearest]) - half[nearest], normal};
 }
 
+SurfacePoint ofConvex(const btConvexShape& shape, const btVector3& point, btSparseSdf<3>& field) {
+    btGjkEpaSolver2::sResults results;
+    results.normal.setZero();
+    SurfacePoint found;
+    found.distance = btGjkEpaSolver2::SignedDistance(point, 0, &shape, btTransform::getIdentity(), results);
+    found.normal = results.normal;
+    // Within the shape itself Bullet leaves its margin out.
+    if (results.status == btGjkEpaSolver2::sResults::Penetrating)
+        found.distance -= shape.getMarginNonVirtual();
+    // On the very surface neither of the two algorithms finds a direction.
+    constexpr auto rounding = btScalar(0.01);
+    const bool isFound = found.distance < BT_LARGE_FLOAT && std::abs(found.normal.length2() - 1) < rounding;
+    if (!isFound) found.distance = field.Evaluate(point, &shape, found.normal, 0);
+    return found;
+}
+
 }  // namespace
 
 SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& transform,
@@ -60,7 +78,10 @@ SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& tr
             found = ofCapsule(static_cast<const btCapsuleShape&>(shape), local);
             break;
         default:
-            found.distance = field.Evaluate(local, &shape, found.normal, 0);
+            if (shape.isConvex())
+                found = ofConvex(static_cast<const btConvexShape&>(shape), local, field);
+            else
+                found.distance = field.Evaluate(local, &shape, found.normal, 0);
     }
     found.normal = transform.getBasis() * found.normal;
     return found;

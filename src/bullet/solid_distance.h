@@ -14,8 +14,8 @@ struct SurfacePoint {
     btVector3 normal;   // outwards, of unit length
 };
 
-/// The nearest surface of a solid's shape: exact for spheres, boxes and capsules, by Bullet's distance field,
-/// as fine as its voxels, for the rest.
+/// The nearest surface of a solid's shape: exact for spheres, boxes, capsules and, by GJK and EPA, all that is
+/// convex; by Bullet's distance field, as fine as its voxels, for the rest. Convex hulls have their margin around them.
 SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& transform,
                             const btVector3& point, btSparseSdf<3>& field);
 

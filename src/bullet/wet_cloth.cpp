@@ -27,6 +27,18 @@ const Air& WetCloth::air() const {
     return layer_->air;
 }
 
+void WetCloth::setSurface(const btCollisionObject& solid, SurfaceKind kind) {
+    layer_->mechanics.grip.setSurface(solid, kind);
+}
+
+void WetCloth::setSurface(const btCollisionObject& solid, const Surface& surface) {
+    layer_->mechanics.grip.setSurface(solid, surface);
+}
+
+void WetCloth::clearSurface(const btCollisionObject& solid) {
+    layer_->mechanics.grip.clearSurface(solid);
+}
+
 void WetCloth::addSource(std::unique_ptr<Source> source) {
     layer_->add(std::move(source));
 }

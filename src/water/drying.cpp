@@ -115,6 +115,7 @@ void validate(const Air& air) {
     checkRange("air temperature", air.temperature, "degrees Celsius", 0, 60);
     checkRange("air humidity", air.humidity, "", 0, 1);
     checkRange("vapourExchange of the air", air.vapourExchange, "", 0, 1);
+    checkRange("shelterLength of the air", air.shelterLength, "m", 0, 1000);
     if (air.wind.allFinite()) return;
     std::ostringstream message;
     message << "drench: air wind is (" << air.wind.x() << ", " << air.wind.y() << ", " << air.wind.z()

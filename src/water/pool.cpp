@@ -49,15 +49,15 @@ double drawnFilm(double speed, double gravity) {
     return std::clamp(thickness, retainedFilmThickness, thickestFilm);
 }
 
+// What pores lack comes over the faces, from where the step takes it up at the pace of the fabric's wetting.
 void wet(const SheetPose& sheet, std::size_t node, double dt, Supply& supply) {
     const double area = sheet.mesh.areas[node];
-    const double missing = sheet.poreCapacity * area - sheet.poreMass[node];
-    const double soaked = missing * -std::expm1(-dt / sheet.wettingTime);
-    if (soaked > 0) supply.addPores(node, soaked);
-
-    const double film = 2 * waterDensity * area * drawnFilm(sheet.velocities[node].norm(), sheet.gravity);
-    const double surplus = sheet.filmMass[node] - film;
-    if (surplus < 0) supply.addFilm(node, -surplus);
+    const double missing = std::max(0.0, sheet.poreCapacity * area - sheet.poreMass[node]);
+    const double soaking = missing * -std::expm1(-dt / sheet.wettingTime);
+    const double drawn = 2 * waterDensity * area * drawnFilm(sheet.velocities[node].norm(), sheet.gravity);
+    const double surplus = sheet.filmMass[node] - (drawn + soaking);
+    // At rest, as the pool is: were it to come with the cloth's velocity, cloth that vibrates would gain energy.
+    if (surplus < 0) supply.addFilm(node, -surplus, Eigen::Vector3d::Zero());
     if (surplus > 0) supply.takeFilm(node, surplus);
     supply.cover(node, 1);
 }
@@ -68,13 +68,17 @@ void Pool::supply(const SheetPose& sheet, double dt, Supply& supply) {
     checkSettings(*this);
     checkStep(dt);
     // Without gravity nothing keeps a pool level, or together.
-    if (dt == 0 || sheet.up.isZero() || !(sheet.gravity > 0)) return;
+    if (sheet.up.isZero() || !(sheet.gravity > 0)) return;
     const auto sides = sidesAcross(sheet.up);
     for (std::size_t node = 0; node < sheet.mesh.size(); ++node) {
         const Eigen::Vector3d& place = sheet.positions[node];
         const Eigen::Vector2d across(place.dot(sides[0]), place.dot(sides[1]));
         const bool inside = (across.array() >= from.array()).all() && (across.array() <= to.array()).all();
-        if (inside && place.dot(sheet.up) < level && sheet.mesh.areas[node] > 0) wet(sheet, node, dt, supply);
+        if (!inside || !(sheet.mesh.areas[node] > 0)) continue;
+        const double depth = level - place.dot(sheet.up);
+        if (!(shareUnderWater(depth) > 0)) continue;
+        if (dt > 0) wet(sheet, node, dt, supply);
+        supply.submerge(node, depth, Eigen::Vector3d::Zero());
     }
 }
 

@@ -1,6 +1,7 @@
 #include "drench/source.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace drench {
 
@@ -14,6 +15,12 @@ Eigen::Vector3d SheetPose::areaVector(std::size_t node) const {
         doubled += (second - first).cross(third - first);
     }
     return doubled / 6;
+}
+
+double shareUnderWater(double depth) {
+    constexpr double zone = 0.02;  // m
+    const double t = std::clamp(0.5 + depth / zone, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
 }
 
 }  // namespace drench

@@ -40,6 +40,8 @@ WetLaws::WetLaws(const Fabric& fabric)
       wetStretchRatio_(fabric.wetStretchRatio),
       wetBendingRatio_(fabric.wetBendingRatio),
       wetBendingFrictionRatio_(fabric.wetBendingFrictionRatio),
+      clingEnergy_(fabric.clingEnergy),
+      bindingSaturation_(fabric.boundMaximum * fabric.arealDensity / fabric.poreCapacity()),
       airPermeabilityDry_(fabric.airPermeabilityDry / permeabilityTestPressure),
       airPermeabilitySaturated_(fabric.airPermeabilitySaturated / permeabilityTestPressure) {
     validate(fabric);
@@ -52,6 +54,14 @@ WetLaws::WetLaws(const Fabric& fabric)
 
 double WetLaws::softening(double content) const {
     return std::clamp(content / boundMaximum_, 0.0, 1.0);
+}
+
+double WetLaws::clingEnergy(double saturation, double filmThickness) const {
+    constexpr double wet = 0.3, bridged = 1e-4, flooded = 2e-4;
+    const double bound = std::min(bindingSaturation_, 0.9 * wet);
+    const double wetting = std::clamp((saturation - bound) / (wet - bound), 0.0, 1.0);
+    const double draining = std::clamp((filmThickness - bridged) / (flooded - bridged), 0.0, 1.0);
+    return clingEnergy_ * wetting * (1 - draining);
 }
 
 AirDrag WetLaws::drag(double saturation) const {

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
 #include "worlds.h"
 
 namespace drench {
@@ -72,6 +76,94 @@ TEST(Air, DragStopsRelativeMotionButNeverTurnsIt) {
             before = slowest;
         }
         EXPECT_GT(before, 0.8 * speed);
+    }
+}
+
+TEST(Air, DragOfAFixedSheetKnowsNothingOfItsMass) {
+    for (const double water : {0.0, 0.05, 0.2}) {
+        FreeSheet rig(airtight());
+        rig.cloth().air().vapourExchange = 0;
+        rig.cloth().presoak(water);
+        for (int n = 0; n < rig.sheet().m_nodes.size(); ++n) rig.sheet().m_nodes[n].m_im = 0;
+        for (const double speed : {0.5, 1.0, 3.0, 10.0, 30.0}) {
+            rig.cloth().air().wind = {0, speed, 0};
+            const double drag = 0.5 * 1.2 * 1.2 * speed * speed;
+            EXPECT_NEAR(double(force(rig, 1e-7).y()), drag, 0.002 * drag) << water << " kg/m2 of water";
+        }
+    }
+}
+
+constexpr double degrees = 180 / 3.14159265358979;
+
+/// So stiff that it neither bends nor twists.
+Fabric board() {
+    Fabric fabric = airtight();
+    fabric.bending = 0.1;
+    return fabric;
+}
+
+/// A panel, 0.4 m wide and 0.2 m high, of two rows of nodes: hinged along the upper one.
+std::unique_ptr<btSoftBody> panel(btSoftBodyWorldInfo& info) {
+    auto body =
+        makeSheet(info, board(), flatCorners({0, 0, 0}, {btScalar(0.4), 0, 0}, {0, btScalar(-0.2), 0}), 3, 2);
+    for (int n = 0; n < 3; ++n) body->m_nodes[n].m_im = 0;
+    return body;
+}
+
+/// Of the mean place of nodes under the axis x = y = 0, in the mean over two seconds, from the vertical.
+double meanDeflection(test::SmallStepWorld& rig, const btSoftBody& body) {
+    btVector3 sum(0, 0, 0);
+    for (int i = 0; i < 120; ++i) {
+        rig.run(1.0 / 60);
+        for (int n = 0; n < body.m_nodes.size(); ++n) sum += body.m_nodes[n].m_x;
+    }
+    return degrees * std::atan2(double(sum.z()), -double(sum.y()));
+}
+
+/// Where weight and wind turn it equally, rho_A g sin = 1/2 rho C_n U^2 cos^2; shear pulls through the hinge.
+double deflectionOfAHingedPanel(double massPerArea, double speed) {
+    double low = 0, high = 90 / degrees;
+    for (int halving = 0; halving < 50; ++halving) {
+        const double middle = 0.5 * (low + high);
+        const double wind = 0.5 * 1.2 * 1.2 * speed * speed * std::cos(middle) * std::cos(middle);
+        (massPerArea * 9.81 * std::sin(middle) > wind ? high : low) = middle;
+    }
+    return degrees * low;
+}
+
+TEST(Air, DeflectsAHingedPanelAsFarAsItShould) {
+    for (const double water : {0.0, 0.2})
+        for (const double speed : {1.0, 2.0, 5.0, 10.0}) {
+            test::SmallStepWorld rig;
+            btSoftBody& body = rig.add(panel(rig.info()));
+            WetCloth& cloth = rig.cover(body, board());
+            cloth.presoak(water);
+            cloth.air().vapourExchange = 0;
+            cloth.air().wind = {0, 0, speed};
+            rig.run(6);
+            const double massPerArea = (cloth.dryMass() + cloth.waterMass()) / (0.4 * 0.2);
+            // A little less wet: some of the water sinks to the lower edge.
+            EXPECT_NEAR(meanDeflection(rig, body), deflectionOfAHingedPanel(massPerArea, speed), 0.5)
+                << water << " kg/m2 of water, " << speed << " m/s";
+        }
+}
+
+TEST(Air, AStrongerWindNeverDeflectsASheetLess) {
+    for (const double water : {0.0, 0.2}) {
+        double before = -1;
+        for (const double speed : {0.0, 0.5, 1.0, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0}) {
+            test::SmallStepWorld rig;
+            btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabrics::cottonPlain(), 0.5, 17));
+            WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain());
+            cloth.presoak(water);
+            cloth.air().vapourExchange = 0;
+            cloth.air().wind = {0, 0, speed};
+            rig.run(3);
+            const double deflection = meanDeflection(rig, sheet);
+            EXPECT_GT(deflection, before) << water << " kg/m2 of water, " << speed << " m/s";
+            before = deflection;
+        }
+        EXPECT_GT(before, 80);
     }
 }
 

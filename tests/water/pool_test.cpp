@@ -26,7 +26,11 @@ TEST(Pool, FillsThePoresAtThePaceOfTheFabric) {
     for (const double dt : {0.01, 0.5}) {
         Cloth cloth(1, 4);
         Pool pool(0.1);
-        run(pool, cloth, dt, static_cast<int>(std::lround(3 / dt)));
+        for (int step = 0; step < static_cast<int>(std::lround(3 / dt)); ++step) {
+            run(pool, cloth, dt, 1);
+            cloth.absorb(dt);
+        }
+        EXPECT_NEAR(cloth.film(), 2 * waterDensity * retainedFilmThickness, 1e-12);
         for (std::size_t node = 0; node < cloth.mesh.size(); ++node) {
             const double full = 0.3 * cloth.mesh.areas[node];
             EXPECT_NEAR(cloth.poreMass[node] / full, 1 - std::exp(-3.0 / 2), 1e-12) << dt;
@@ -44,6 +48,7 @@ TEST(Pool, DrawsTheFilmOfLandauAndLevich) {
          {Case{1, 146.9e-6, 0.2e-6}, Case{-1, 146.9e-6, 0.2e-6}, Case{0.5, 92.5e-6, 0.2e-6},
           Case{0, retainedFilmThickness, 1e-15}, Case{10, thickestFilm, 1e-15}}) {
         Cloth cloth(1, 4);
+        cloth.fill();
         for (Vector3d& velocity : cloth.velocities) velocity = {0, given.speed, 0};
         Pool pool(0.1);
         run(pool, cloth, 0.01, 3);
@@ -53,6 +58,7 @@ TEST(Pool, DrawsTheFilmOfLandauAndLevich) {
 
 TEST(Pool, TakesBackTheSurplusOfTheFilm) {
     Cloth cloth(1, 4);
+    cloth.fill();
     for (std::size_t node = 0; node < cloth.mesh.size(); ++node)
         cloth.filmMass[node] = cloth.mesh.areas[node];
     Pool pool(0.1);
@@ -65,9 +71,9 @@ TEST(Pool, TakesBackTheSurplusOfTheFilm) {
 std::vector<Vector3d> wetPlaces(const Cloth& cloth) {
     std::vector<Vector3d> places;
     for (std::size_t node = 0; node < cloth.mesh.size(); ++node) {
-        EXPECT_EQ(cloth.poreMass[node] > 0, cloth.covered[node] > 0) << node;
-        EXPECT_EQ(cloth.poreMass[node] > 0, cloth.filmMass[node] > 0) << node;
-        if (cloth.poreMass[node] > 0) places.push_back(cloth.positions[node]);
+        EXPECT_EQ(cloth.filmMass[node] > 0, cloth.covered[node] > 0) << node;
+        EXPECT_EQ(cloth.filmMass[node] > 0, cloth.submerged[node] > 0) << node;
+        if (cloth.filmMass[node] > 0) places.push_back(cloth.positions[node]);
     }
     return places;
 }
@@ -113,6 +119,48 @@ TEST(Pool, WetsOnlyInsideItsRectangleWhicheverWayIsUp) {
     }
 }
 
+/// Share of a level cloth at height 0 that is under water.
+double shareAt(double level, double dt = 0.1) {
+    Cloth cloth(1, 4);
+    Pool pool(level);
+    run(pool, cloth, dt, 1);
+    for (const double share : cloth.submerged) EXPECT_EQ(share, cloth.submerged[0]);
+    return cloth.submerged[0];
+}
+
+TEST(Pool, CoversANodeSmoothlyFromOneCentimetreAboveItsLevelToOneBelow) {
+    EXPECT_EQ(shareAt(-0.0101), 0);
+    EXPECT_EQ(shareAt(0.0101), 1);
+    EXPECT_EQ(shareAt(100), 1);
+    EXPECT_NEAR(shareAt(0), 0.5, 1e-12);
+    EXPECT_NEAR(shareAt(0.005), 0.84375, 1e-12);  // 3 t^2 - 2 t^3 at t = 3/4
+    double before = 0;
+    for (double level = -0.0099; level < 0.01; level += 1e-4) {
+        const double share = shareAt(level);
+        EXPECT_GT(share, before);
+        EXPECT_LT(share, before + 0.0076);  // steepest at the level: 1.5 / 2 cm
+        before = share;
+    }
+}
+
+TEST(Pool, WetsWhateverItTouches) {
+    for (const double level : {-0.0099, 0.0, 0.005}) {
+        Cloth cloth(1, 4);
+        Pool pool(level);
+        run(pool, cloth, 0.5, 1);
+        for (std::size_t node = 0; node < cloth.mesh.size(); ++node) {
+            EXPECT_GT(cloth.submerged[node], 0);
+            const double film = 2 * waterDensity * retainedFilmThickness + 0.3 * -std::expm1(-0.25);
+            EXPECT_NEAR(cloth.filmMass[node], film * cloth.mesh.areas[node], 1e-12);
+            EXPECT_EQ(cloth.covered[node], 1);
+        }
+    }
+}
+
+TEST(Pool, CarriesClothAlsoWhileWaterTimeStandsStill) {
+    EXPECT_EQ(shareAt(0.02, 0), 1);
+}
+
 TEST(Pool, IsNotThereWithoutGravity) {
     Cloth cloth(1, 4);
     cloth.up.setZero();
@@ -121,6 +169,7 @@ TEST(Pool, IsNotThereWithoutGravity) {
     run(pool, cloth, 1, 1);
     EXPECT_EQ(cloth.film(), 0);
     EXPECT_EQ(cloth.covered[0], 0);
+    EXPECT_EQ(cloth.submerged[0], 0);
 }
 
 TEST(Refusals, PoolOutOfRange) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -39,7 +40,7 @@ struct Cloth final : Supply {
     ClothMesh mesh;
     std::vector<Eigen::Vector3d> positions, velocities;
     std::vector<std::vector<int>> trianglesAround;
-    std::vector<double> poreMass, filmMass, covered;
+    std::vector<double> poreMass, filmMass, covered, submerged;
     std::vector<Eigen::Vector3d> arrivals;  ///< velocities of what came with one
     double poreCapacity = 0.3, wettingTime = 2, gravity = 9.81;
     Eigen::Vector3d up = {0, 1, 0};
@@ -57,7 +58,7 @@ struct Cloth final : Supply {
         const auto size = positions.size();
         mesh.areas.assign(size, 0);
         trianglesAround.resize(size);
-        for (std::vector<double>* mass : {&poreMass, &filmMass, &covered}) mass->assign(size, 0);
+        for (std::vector<double>* mass : {&poreMass, &filmMass, &covered, &submerged}) mass->assign(size, 0);
         velocities.assign(size, Eigen::Vector3d::Zero());
         for (int i = 0; i < cells * cells; ++i) {
             const int corner = i / cells * row + i % cells;
@@ -98,6 +99,20 @@ struct Cloth final : Supply {
     void move(const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& to) {
         for (Eigen::Vector3d& place : positions) place = to(place);
     }
+    /// Full pores.
+    void fill() {
+        for (std::size_t node = 0; node < mesh.size(); ++node)
+            poreMass[node] = poreCapacity * mesh.areas[node];
+    }
+    /// As a step does: film into pores.
+    void absorb(double dt) {
+        for (std::size_t node = 0; node < mesh.size(); ++node) {
+            const double missing = poreCapacity * mesh.areas[node] - poreMass[node];
+            const double absorbed = std::min(filmMass[node], missing * -std::expm1(-dt / wettingTime));
+            poreMass[node] += absorbed;
+            filmMass[node] -= absorbed;
+        }
+    }
     double film() const { return std::accumulate(filmMass.begin(), filmMass.end(), 0.0); }
 
     void check(std::size_t node, double mass) const {
@@ -125,6 +140,12 @@ struct Cloth final : Supply {
     }
     double takePores(std::size_t, double) override { return 0; }
     void cover(std::size_t node, double share) override { covered[node] = share; }
+    void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) override {
+        ASSERT_LT(node, mesh.size());
+        EXPECT_TRUE(std::isfinite(depth));
+        EXPECT_EQ(velocity, Eigen::Vector3d::Zero());
+        submerged[node] = shareUnderWater(depth);
+    }
 };
 
 /// Steps a source on a cloth.

@@ -1,0 +1,64 @@
+#include "grip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+/// A bond is no shorter than the water between two faces is thick, and no longer than looks like touching.
+constexpr double shortestReach = 1e-3, longestReach = 1e-2;  // m
+
+double nodeDistance(const ClothMesh& mesh) {
+    const double area = std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0);
+    return std::sqrt(area / double(mesh.size()));
+}
+
+}  // namespace
+
+Grip::Grip(const Fabric& fabric, const ClothMesh& mesh)
+    : bondedTo(mesh.size(), nullptr),
+      bondedToCloth(mesh.size(), nullptr),
+      kinds_{surfaceOf(fabric, SurfaceKind::plate), surfaceOf(fabric, SurfaceKind::skin),
+             surfaceOf(fabric, SurfaceKind::rough)},
+      reach_(std::clamp(nodeDistance(mesh), shortestReach, longestReach)),
+      areas_(mesh.areas),
+      saturations_(mesh.size(), 0.0),
+      filmThicknesses_(mesh.size(), 0.0),
+      bonds_(mesh.size(), 0.0) {}
+
+void Grip::setSurface(const btCollisionObject& solid, const Surface& surface) {
+    validate(surface);
+    surfaces_[&solid] = surface;
+}
+
+Surface Grip::surfaceAt(const btCollisionObject& solid, btScalar kDF) const {
+    const auto found = surfaces_.find(&solid);
+    if (found != surfaces_.end()) return found->second;
+    const double dry = double(kDF) * double(solid.getFriction());
+    const Surface& plate = ofKind(SurfaceKind::plate);
+    if (!(plate.frictionDry > 0)) return {dry, dry, dry, plate.wettability};
+    const double share = dry / plate.frictionDry;
+    return {dry, share * plate.frictionDamp, share * plate.frictionSoaked, plate.wettability};
+}
+
+double Grip::frictionRatio(std::size_t node) const {
+    const Surface& plate = ofKind(SurfaceKind::plate);
+    return plate.frictionDry > 0 ? friction(plate, node) / plate.frictionDry : 1;
+}
+
+void Grip::evaluate(const WetLaws& laws, const Moisture& moisture) {
+    clings_ = false;
+    for (std::size_t n = 0; n < areas_.size(); ++n) {
+        saturations_[n] = moisture.saturation(n);
+        filmThicknesses_[n] = moisture.filmThickness(n);
+        bonds_[n] = laws.clingEnergy(saturations_[n], filmThicknesses_[n]) / reach_ * areas_[n];
+        clings_ = clings_ || bonds_[n] > 0;
+    }
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench
