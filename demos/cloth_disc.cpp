@@ -6,11 +6,11 @@
 #include <set>
 #include <stdexcept>
 
+#include "angles.h"
+
 namespace drench::demo {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();

@@ -59,8 +59,9 @@ ParsedOptions parseOptions(int argc, char** argv) {
         ->check(secondsInRange());
     app.add_option("--resolution", run.sceneOptions.resolution, "nodes along the warp [the scene's own]")
         ->check(CLI::Range(8, 512));
-    app.add_option("--fabric", run.sceneOptions.fabric, "the cloth [cotton]")
-        ->check(CLI::IsMember(fabrics::names()));
+    const CLI::Option* fabric =
+        app.add_option("--fabric", run.sceneOptions.fabric, "the cloth [cotton; slide: polyester]")
+            ->check(CLI::IsMember(fabrics::names()));
     app.add_option(
         "--csv", run.csv,
         "write the water of each frame to this file; ten-steps: its result, and the water beside it");
@@ -79,6 +80,8 @@ ParsedOptions parseOptions(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         choose(run.sceneOptions, solver, world);
+        if (!run.scene.empty() && fabric->count() == 0)
+            run.sceneOptions.fabric = sceneByName(run.scene).fabric;
         if (list) {
             listScenes();
             parsed.exitStatus = 0;

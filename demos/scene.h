@@ -89,6 +89,7 @@ struct SceneEntry {
     std::string description;
     bool runsDeformable;  ///< also in Bullet's deformable world
     std::unique_ptr<Scene> (*make)(const SceneOptions&);
+    std::string fabric = "cotton";  ///< that suits it, where none is asked for
 };
 
 /// All scenes.

@@ -13,24 +13,24 @@ namespace drench::demo {
 
 void SceneWorld::addGround(double height) {
     constexpr double thickness = 2;
-    const btVector3 halfExtents(50, btScalar(thickness / 2), 50);
-    add(std::make_unique<btBoxShape>(halfExtents), {0, btScalar(height - thickness / 2), 0}, 0);
+    addBox({0, btScalar(height - thickness / 2), 0}, {50, btScalar(thickness / 2), 50});
 }
 
 btRigidBody& SceneWorld::addBall(const btVector3& centre, double radius, double mass) {
-    return add(std::make_unique<btSphereShape>(btScalar(radius)), centre, mass);
+    return add(std::make_unique<btSphereShape>(btScalar(radius)),
+               btTransform(btQuaternion::getIdentity(), centre), mass);
 }
 
-btRigidBody& SceneWorld::addBox(const btVector3& centre, const btVector3& halfExtents) {
-    return add(std::make_unique<btBoxShape>(halfExtents), centre, 0);
+btRigidBody& SceneWorld::addBox(const btVector3& centre, const btVector3& halfExtents,
+                                const btQuaternion& turn) {
+    return add(std::make_unique<btBoxShape>(halfExtents), btTransform(turn, centre), 0);
 }
 
-btRigidBody& SceneWorld::add(std::unique_ptr<btCollisionShape> shape, const btVector3& position,
-                             double mass) {
+btRigidBody& SceneWorld::add(std::unique_ptr<btCollisionShape> shape, const btTransform& place, double mass) {
     btVector3 inertia(0, 0, 0);
     if (mass > 0) shape->calculateLocalInertia(btScalar(mass), inertia);
     btRigidBody::btRigidBodyConstructionInfo info(btScalar(mass), nullptr, shape.get(), inertia);
-    info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), position);
+    info.m_startWorldTransform = place;
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     shapes_.push_back(std::move(shape));
     world().addRigidBody(bodies_.back().get());

@@ -47,8 +47,9 @@ class SceneWorld {
     /// A ball; it stays where it is if its mass is 0.
     btRigidBody& addBall(const btVector3& centre, double radius, double mass);
 
-    /// A box along the axes of the world that stays where it is.
-    btRigidBody& addBox(const btVector3& centre, const btVector3& halfExtents);
+    /// A box that stays where it is, along the axes of the world or turned.
+    btRigidBody& addBox(const btVector3& centre, const btVector3& halfExtents,
+                        const btQuaternion& turn = btQuaternion::getIdentity());
 
     /// Steps the world by `frameTime`, in substeps of equal length.
     void step(double frameTime, int substeps);
@@ -57,7 +58,7 @@ class SceneWorld {
     SceneWorld() = default;
 
   private:
-    btRigidBody& add(std::unique_ptr<btCollisionShape> shape, const btVector3& position, double mass);
+    btRigidBody& add(std::unique_ptr<btCollisionShape> shape, const btTransform& place, double mass);
 
     // They outlive the world, which is a member of the classes derived from this.
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;

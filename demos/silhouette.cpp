@@ -4,11 +4,11 @@
 #include <cmath>
 #include <complex>
 
+#include "angles.h"
+
 namespace drench::demo {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double side(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p) {
     return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());

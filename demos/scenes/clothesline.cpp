@@ -8,6 +8,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "../angles.h"
 #include "../pictures.h"
 
 namespace drench::demo {
@@ -29,7 +30,6 @@ constexpr double restDamping = 1;   // 1/s
 constexpr int mostSubsteps = 40;    // a frame; a nearly dry sheet asks for more, and its links act softer
 constexpr double balanced = 0.02;   // of every node's content against that in balance with the air
 constexpr double spotLifetime = 4;  // s, after which the ground has dried
-constexpr double pi = 3.14159265358979323846;
 
 // Drying is measured between these shares of what the sheet holds when it has stopped dripping.
 constexpr double measuredFrom = 0.9, measuredTo = 0.4;

@@ -7,6 +7,7 @@
 #include <random>
 #include <sstream>
 
+#include "../angles.h"
 #include "../cloth_disc.h"
 #include "../pictures.h"
 
@@ -24,7 +25,6 @@ constexpr double slowest = 5e-4;         // m/s, mean speed below which a disc i
 constexpr double shortest = 1;           // s
 constexpr int stillFrames = 15;          // in a row
 constexpr int mostSubsteps = 40;
-constexpr double pi = 3.14159265358979323846;
 
 // How silhouettes are looked at.
 constexpr int pixels = 1024;

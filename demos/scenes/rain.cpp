@@ -8,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "../angles.h"
 #include "../pictures.h"
 
 namespace drench::demo {
@@ -25,7 +26,6 @@ constexpr double intensity = 60;     // mm/h
 constexpr double clearOfEdge =
     0.02;  // m under the roof from where on the sheet should be dry, beside two cells
 constexpr int framesPerRow = 300;
-constexpr double pi = 3.14159265358979323846;
 
 /// Area on level ground of the part of a triangle that lies at x > 0, m2.
 double areaInTheOpen(const std::array<btVector3, 3>& triangle) {

@@ -7,6 +7,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "../angles.h"
 #include "../pictures.h"
 
 namespace drench::demo {
@@ -30,7 +31,6 @@ constexpr double streamSpeed = 1;  // m/s
 constexpr double stained = 0.1;    // saturation from which on cloth counts as stained
 constexpr double deepestAllowed = 0.01;
 constexpr int framesPerRow = 120;
-constexpr double pi = 3.14159265358979323846;
 
 }  // namespace
 

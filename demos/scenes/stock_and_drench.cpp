@@ -7,6 +7,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "../angles.h"
 #include "../pictures.h"
 
 namespace drench::demo {
@@ -20,7 +21,6 @@ constexpr double slack = 0.94;     // distance of the corners over the sheet's s
 constexpr double restDamping = 1;  // 1/s
 constexpr int heldNodes = 2;       // at each corner
 constexpr int stockIterations = 10;
-constexpr double pi = 3.14159265358979323846;
 
 std::string number(double value, int digits) {
     std::ostringstream text;

@@ -10,6 +10,7 @@
 #include <random>
 #include <sstream>
 
+#include "../angles.h"
 #include "../pictures.h"
 
 namespace drench::demo {
@@ -62,10 +63,6 @@ SmallSteps smallSteps(int nodesWarp) {
 double mean(const std::vector<double>& values) {
     return values.empty() ? notMeasured
                           : std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
-}
-
-double degrees(double radians) {
-    return radians * 180 / 3.14159265358979323846;
 }
 
 }  // namespace

@@ -56,6 +56,16 @@ struct Box {
     Eigen::Vector3f albedo = Eigen::Vector3f(0.4f, 0.4f, 0.4f);
 };
 
+// Standing water: a box along the axes of the world, as in a tank of clear glass, with a rippled level surface.
+// What is in it is seen through it; it casts no shadow. One water is not seen through another.
+struct Water {
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+    // Half its length along each axis, above 0; water without volume is left out.
+    Eigen::Vector3f halfExtents = Eigen::Vector3f::Constant(0.1f);
+    // Of its ripples, seconds.
+    float time = 0.0f;
+};
+
 // A perspective camera that circles round the point it looks at.
 struct Camera {
     // The point in the middle of the picture.
@@ -93,6 +103,7 @@ struct Picture {
     std::vector<Ball> balls;
     std::vector<Rod> rods;
     std::vector<Box> boxes;
+    std::vector<Water> waters;
     // Height of the level ground; it is seen from above only.
     float groundHeight = 0.0f;
     // Points from the scene to the sun; any length above 0.

@@ -19,6 +19,9 @@ class SceneTarget {
     void bind() const;
     // Averages the samples of each pixel and leaves the result in texture().
     void resolve() const;
+    // The same, and what is nearest in each pixel, and puts both where shaders find them: colour at texture unit 1,
+    // depth at unit 3. Drawing goes on in this target.
+    void resolveForLookup() const;
 
     GLuint texture() const { return resolvedColour_.name(); }
     int width() const { return width_; }
@@ -31,6 +34,7 @@ class SceneTarget {
     Renderbuffer depth_;
     Framebuffer framebuffer_;
     Texture resolvedColour_;
+    Texture resolvedDepth_;
     Framebuffer resolved_;
 };
 

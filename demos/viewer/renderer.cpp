@@ -14,6 +14,7 @@
 #include "viewer/shaders_noise.h"
 #include "viewer/shaders_sheet.h"
 #include "viewer/shaders_solids.h"
+#include "viewer/shaders_water.h"
 #include "viewer/sheet_buffer.h"
 #include "viewer/sheet_rounding.h"
 #include "viewer/solids.h"
@@ -76,6 +77,10 @@ struct Programs {
         "box",
         {shaders::frame, shaders::boxVertex},
         {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::boxFragment}};
+    ShaderProgram water{"water",
+                        {shaders::frame, shaders::waterVertex},
+                        {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
+                         shaders::waterFragment}};
     ShaderProgram ground{
         "ground",
         {shaders::frame, shaders::groundVertex},
@@ -145,6 +150,7 @@ class Renderer::Scene {
     Solids balls_{capsuleMesh(96, 24)};
     Solids rods_{capsuleMesh(20, 5)};
     Solids boxes_{boxMesh()};
+    Solids waters_{boxMesh()};
     std::vector<SheetBuffer> sheets_;
     std::size_t sheetCount_ = 0;
     std::optional<SceneTarget> target_;
@@ -207,6 +213,11 @@ void Renderer::Scene::drawScene(const FrameUniforms& uniforms) {
     }
     programs_.sky.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (!waters_.empty()) {
+        target_->resolveForLookup();
+        programs_.water.use();
+        waters_.draw();
+    }
     shadow_.unbind();
 }
 
@@ -240,6 +251,7 @@ void Renderer::Scene::draw(const Picture& picture, int width, int height, unsign
     balls_.upload(instances(balls));
     rods_.upload(instances(rods));
     boxes_.upload(instances(boxes));
+    waters_.upload(instances(drawableWaters(picture.waters)));
     std::vector<Eigen::Vector3f> casters = uploadSheets(picture.sheets);
     addCorners(casters, balls);
     addCorners(casters, rods);

@@ -66,6 +66,7 @@ void ShaderProgram::bindInputs() const {
     glUniform1i(glGetUniformLocation(program_.name(), "sunShadow"), 0);
     glUniform1i(glGetUniformLocation(program_.name(), "scene"), 1);
     glUniform1i(glGetUniformLocation(program_.name(), "sunDepth"), 2);
+    glUniform1i(glGetUniformLocation(program_.name(), "sceneDepth"), 3);
     glUseProgram(0);
 }
 

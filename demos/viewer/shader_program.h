@@ -10,7 +10,7 @@
 namespace drench::viewer {
 
 // A vertex and a fragment shader, linked. Its uniform block Frame stands at binding 0; its samplers
-// sunShadow, scene and sunDepth at the texture units 0, 1 and 2.
+// sunShadow, scene, sunDepth and sceneDepth at the texture units 0 to 3.
 class ShaderProgram {
   public:
     // Joins each list of source pieces behind a #version 330 line. Throws std::runtime_error with the

@@ -59,6 +59,16 @@ std::vector<Box> drawableBoxes(const std::vector<Box>& boxes) {
     return kept;
 }
 
+std::vector<Water> drawableWaters(const std::vector<Water>& waters) {
+    std::vector<Water> kept;
+    std::copy_if(waters.begin(), waters.end(), std::back_inserter(kept), [](const Water& water) {
+        const Eigen::Vector3f& half = water.halfExtents;
+        return drawable(water.centre) && drawable(half.x()) && drawable(half.y()) && drawable(half.z()) &&
+               std::isfinite(water.time);
+    });
+    return kept;
+}
+
 std::vector<SolidInstance> instances(const std::vector<Ball>& balls) {
     std::vector<SolidInstance> packedBalls;
     for (const Ball& ball : balls) {
@@ -83,6 +93,14 @@ std::vector<SolidInstance> instances(const std::vector<Box>& boxes) {
                                packed(box.halfExtents, 0.0f)});
     }
     return packedBoxes;
+}
+
+std::vector<SolidInstance> instances(const std::vector<Water>& waters) {
+    std::vector<SolidInstance> packedWaters;
+    for (const Water& water : waters) {
+        packedWaters.push_back({packed(water.centre, water.time), {}, {}, packed(water.halfExtents, 0.0f)});
+    }
+    return packedWaters;
 }
 
 Solids::Solids(const std::vector<Eigen::Vector4f>& vertices,

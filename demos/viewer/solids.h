@@ -1,4 +1,4 @@
-// Balls, rods and boxes in graphics memory.
+// Balls, rods, boxes and standing water in graphics memory.
 #pragma once
 
 #include <array>
@@ -11,14 +11,15 @@
 
 namespace drench::viewer {
 
-// One ball, rod or box as the vertex shaders read it.
+// One ball, rod, box or water as the vertex shaders read it.
 struct SolidInstance {
-    // A ball's centre and radius, a rod's start and radius, or a box's centre.
+    // A ball's centre and radius, a rod's start and radius, a box's centre, or a water's
+    // centre and time.
     std::array<float, 4> first;
     // The orientation (x, y, z, w) of a ball or a box, or a rod's end.
     std::array<float, 4> second;
     std::array<float, 4> albedo;
-    // Half the sides of a box.
+    // Half the sides of a box or a water.
     std::array<float, 4> extents = {};
 };
 
@@ -30,9 +31,13 @@ std::vector<Rod> drawableRods(const std::vector<Rod>& rods);
 // The boxes that can be drawn: finite, with a volume above 0.
 std::vector<Box> drawableBoxes(const std::vector<Box>& boxes);
 
+// The waters that can be drawn: finite, with a volume above 0.
+std::vector<Water> drawableWaters(const std::vector<Water>& waters);
+
 std::vector<SolidInstance> instances(const std::vector<Ball>& balls);
 std::vector<SolidInstance> instances(const std::vector<Rod>& rods);
 std::vector<SolidInstance> instances(const std::vector<Box>& boxes);
+std::vector<SolidInstance> instances(const std::vector<Water>& waters);
 
 // A mesh drawn once for each instance.
 class Solids {
@@ -42,6 +47,7 @@ class Solids {
     // Replaces the instances.
     void upload(const std::vector<SolidInstance>& instances);
     void draw() const;
+    bool empty() const { return instanceCount_ == 0; }
 
   private:
     Solids(const std::vector<Eigen::Vector4f>& vertices,
