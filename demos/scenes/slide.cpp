@@ -28,7 +28,8 @@ constexpr double gravity = 9.81;
 constexpr double measuredAt = 0.8;  // s, before the drag of the air counts
 constexpr double mayMissBy = 0.05;
 constexpr double holds = 0.02;  // m, at most
-constexpr int mostSubsteps = 8;  // in shorter ones Bullet loses what gravity adds to rounding, and friction with it
+constexpr int mostSubsteps =
+    8;  // in shorter ones Bullet loses what gravity adds to rounding, and friction with it
 
 const double tilt = radians(20);
 
