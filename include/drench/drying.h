@@ -14,7 +14,7 @@ struct Evaporation {
 };
 
 /// Checks temperature (0 to 60), humidity (0 to 1), vapour exchange (0 to 1), shelter length (0 to 1000) and
-/// that the wind is finite.
+/// that the wind is finite and at most 1e4 m/s.
 /// @throws std::invalid_argument that names the value and its range
 void validate(const Air& air);
 

@@ -33,6 +33,8 @@ struct SheetPose {
     double totalArea;    ///< of the cloth at rest, m2
     const Shelter& shelter;
     const void* body;  ///< address of its btSoftBody, for sources that know Bullet; null without one
+    /// What `shareUnderWater` says where the cloth floats dry, 1; above 1 for cloth that sinks at once.
+    double floatingShare = 1;
 
     /// Area vector of a node: a third of its triangles' as they are now, m2, along their common normal.
     Eigen::Vector3d areaVector(std::size_t node) const;

@@ -62,24 +62,32 @@ class Spray final : public Source {
     std::size_t nextRay_ = 0;
 };
 
-/// Still water with a level surface: it wets, drags and lifts what is under it.
+/// Still water with a level surface: it wets, drags and lifts what is in it.
 ///
-/// What `shareUnderWater` says is touched fills its pores at the pace of the fabric's wetting, and comes out
-/// with a film as thick as Landau & Levich (1942) say, 0.94 (gamma / (rho g))^1/2 (mu U / gamma)^2/3 with U
-/// the speed of the cloth, from the film that faces retain up to the thickest. More film than that goes back
-/// to the pool.
+/// It wets the nodes under its level, those up to 2.7 mm above it, as high as a meniscus (the capillary length
+/// of water, textbook), and cloth that floats. Their pores fill at the pace of the fabric's wetting. They come
+/// out with a film as thick as Landau & Levich (1942) say, 0.94 (gamma / (rho g))^1/2 (mu U / gamma)^2/3 with U
+/// the speed of the cloth, but at least the film that faces retain, at most the thickest that they carry, and at
+/// most what has not run off by the end of the step: (mu L / (rho g dt))^1/2 with L the root of the sheet's area
+/// (Jeffreys 1930), which counts from some seconds of water time a step on. More film goes back to the pool.
 ///
-/// Water drags like the air (see AirDrag), by its own density and the fabric's permeability to water, which
-/// is taken across the cloth as it is along it (assumed). Some of it moves along across the cloth: pi/4 rho L
-/// per area as with a plate of width L (Lamb 1932), L the smaller of the root of the sheet's area and 0.1 m
-/// (assumed). It lifts by the weight of what the share under water displaces: fibre, pores and film. So dry
-/// cloth floats while the air in its pores carries it, cotton until they are three quarters full, and then
-/// sinks; what it takes up comes at rest and slows it. The surface stays level and the pool full: cloth makes
-/// no waves, and nothing that it does to the water comes back. Drag and lift go by the body's time, wetting
-/// by the water's. Does nothing without gravity.
+/// It drags as air does (see AirDrag), with its own density and the fabric's permeability to water, which is
+/// taken across the cloth as it is along it (assumed). Some of it moves along with the cloth where that moves
+/// across itself: pi/4 rho L per area as with a plate of width L (Lamb 1932), L the smaller of the root of the
+/// sheet's area and 0.1 m (assumed). It lifts by the weight of the water whose place the cloth takes: fibre,
+/// pores and film. Drag and lift count by `shareUnderWater`, so from 1 cm above the level on. Dry cloth floats
+/// while the air in its pores carries it, cotton until they are three quarters full, and then sinks; water that
+/// it takes up comes at rest and slows it.
+///
+/// The surface stays level and the pool full: cloth makes no waves, and nothing that it does to the water comes
+/// back. A level that is changed rises or falls through still water. Drag and lift go by the body's time,
+/// wetting by the water's (SheetSettings::waterSpeed); with over some 1e4 of that, film and pores fill and empty
+/// within each step, and cloth in the pool trembles. Without gravity the pool does nothing.
 class Pool final : public Source {
   public:
-    double level;  ///< height of the surface along the way up, m; -1e9 to 1e9
+    /// Height of the surface, m; -1e9 to 1e9: its places are those whose scalar product with the way up, the
+    /// unit vector against the gravity of the body's world info, is this.
+    double level;
     /// Least and greatest corner of its rectangle, m; -1e9 to 1e9, default everywhere. Its two sides are the
     /// axes of the world without the one nearest to the way up, laid level: x and z where y is up, x and y
     /// where z is up, y and z where x is up.

@@ -31,7 +31,7 @@ enum class Stepping {
     /// WetCloth; it then runs first in each substep. One set later takes the slot, and the layer sleeps until
     /// the next WetCloth.
     byWorld,
-    /// The application, at the start of each substep. The world's callback stays untouched.
+    /// The application, at the start of each substep. The world's pre-tick callback stays untouched.
     byApplication
 };
 
@@ -91,7 +91,11 @@ struct SheetHealth {
 /// - in the deformable world, collision flags of SDF_RS, which Bullet gives new bodies but does not serve
 ///   there: they are SDF_RD | SDF_RDN meanwhile.
 ///
-/// Everything else, user pointer and tags, iterations, damping and contacts, stays the application's.
+/// - contacts with solids and with other sheets, for their friction and cling: hardness (kCHR, kKHR) and, with the stock
+///   solver, Bullet's own friction play no part;
+/// - the world's post-tick callback, from the start of a substep to that moment, when it calls the application's.
+///
+/// Everything else, user pointer and tags, iterations and damping, stays the application's.
 ///
 /// A SmallStepSolver gives links and bending their stiffness in one substep a frame. How stiff links are with the
 /// stock solver: with piterations = 1 (and viterations = diterations = 0), a substep dt, and w the sum
@@ -153,6 +157,8 @@ class WetCloth {
     /// area of the node, up to the reach of the bond, the root of a node's area (1 to 10 mm), where it breaks. So
     /// to peel a strip at a right angle takes energy x width, and cloth hangs from a ceiling as long as energy / reach
     /// exceeds its weight. A bond adds to what presses the faces together, and so to friction. Both act back on the solid.
+    /// Other sheets with a WetCloth cling where both are wet; a soft body without one counts as wettable.
+    /// A friction coefficient of Bullet's that is negative or no number counts as 0, one beyond 1000 as 1000.
     /// @param solid  by its address, which need not exist any more; where another takes its place in memory,
     ///               say so again
     void setSurface(const btCollisionObject& solid, SurfaceKind kind);

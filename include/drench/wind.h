@@ -14,7 +14,7 @@ class WindField {
   public:
     virtual ~WindField() = default;
 
-    /// Velocity of the air, m/s; finite, at most 1e6. Smooth in place and time, or cloth jerks. What it throws
+    /// Velocity of the air, m/s; finite, at most 1e4. Smooth in place and time, or cloth jerks. What it throws
     /// comes out of the step. Called at most 216 times a step for each sheet.
     /// @param place  in the world, m
     /// @param time   of the body since its WetCloth was made, s

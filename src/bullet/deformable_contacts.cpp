@@ -88,8 +88,10 @@ void DeformableContacts::hold(std::size_t n, const btCollisionObject* solid, con
     bonds_[n] = solid;
     if (gap <= 0) return;
     const btRigidBody* const body = pushable(*solid);
-    const btScalar response =
-        node.m_im + (body ? body->computeImpulseDenominator(node.m_x, surface.normal) : 0);
+    const auto responseAlong = [&](const btVector3& direction) {
+        return node.m_im + (body ? body->computeImpulseDenominator(node.m_x, direction) : 0);
+    };
+    const btScalar response = responseAlong(surface.normal);
     const btScalar most = btScalar(bond) * now.time, pull = std::min(gap / (now.time * response), most);
     const btVector3 along = slip - surface.normal * leaving;
     // What presses the faces together is what the bond has left.
@@ -97,7 +99,8 @@ void DeformableContacts::hold(std::size_t n, const btCollisionObject* solid, con
                    friction = btScalar(now.grip.friction(met.surface, n)) * (most - pull);
     btVector3 impulse = surface.normal * -pull;
     // An implicit contact, which knows what else holds the node, has friction; a guess by its mass shakes it.
-    if (speed > 0 && !now.implicit) impulse -= along * (std::min(friction, speed / response) / speed);
+    if (speed > 0 && !now.implicit)
+        impulse -= along * (std::min(friction, speed / responseAlong(along / speed)) / speed);
     exchange(node, *solid, impulse, now.implicit);
 }
 

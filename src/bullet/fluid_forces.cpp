@@ -7,6 +7,7 @@
 #include "drench/source.h"
 #include "drench/water.h"
 #include "independent_blocks.h"
+#include "node_arrays.h"
 #include "vectors.h"
 
 namespace drench {
@@ -21,37 +22,12 @@ double addedMassOf(double area) {
     return quarterOfPi * waterDensity * std::min(std::sqrt(area), widest);
 }
 
-MovingNode sum(const MovingNode& a, const MovingNode& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z, 0};
+float dot(const Eigen::Array4f& a, const Eigen::Array4f& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-MovingNode difference(const MovingNode& a, const MovingNode& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z, 0};
-}
-
-MovingNode scaled(const MovingNode& a, float by) {
-    return {a.x * by, a.y * by, a.z * by, 0};
-}
-
-/// Mean of two, the second counting `share`.
-MovingNode mixed(const MovingNode& a, const MovingNode& b, float share) {
-    return sum(a, scaled(difference(b, a), share));
-}
-
-float dot(const MovingNode& a, const MovingNode& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-MovingNode packed(const Eigen::Vector3d& v) {
-    return {float(v.x()), float(v.y()), float(v.z()), 0};
-}
-
-float sizeOf(const MovingNode& a) {
-    return std::abs(a.x) + std::abs(a.y) + std::abs(a.z);  // not finite where one of them is not
-}
-
-MovingNode limited(const MovingNode& a, float most) {
-    return {std::clamp(a.x, -most, most), std::clamp(a.y, -most, most), std::clamp(a.z, -most, most), 0};
+float sizeOf(const Eigen::Array4f& a) {
+    return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);  // not finite where one of them is not
 }
 
 }  // namespace
@@ -59,19 +35,20 @@ MovingNode limited(const MovingNode& a, float most) {
 FluidForces::FluidForces(const RestShape& shape, const Fabric& fabric)
     : areas_(shape.nodeAreas.begin(), shape.nodeAreas.end()),
       fibrePerArea_(waterDensity * fabric.arealDensity / fabric.fibreDensity),
+      floatingShare_(fabric.arealDensity / (fibrePerArea_ + fabric.poreCapacity())),
       // Across the cloth as along it (assumed), whose two directions count alike.
       waterPermeability_(std::sqrt(fabric.permeabilityWarp * fabric.permeabilityWeft) /
                          (waterViscosity * fabric.thickness)),
-      addedMass_(addedMassOf(std::accumulate(shape.nodeAreas.begin(), shape.nodeAreas.end(), 0.0))),
+      totalArea_(std::accumulate(shape.nodeAreas.begin(), shape.nodeAreas.end(), 0.0)),
+      addedMass_(addedMassOf(totalArea_)),
       velocities_(shape.nodeAreas.size() + 1, MovingNode{0, 0, 0, 0}),
       accelerations_(velocities_),
       forces_(velocities_),
       fluid_(velocities_.size(), FluidNode{0, 0, 0, 0}),
-      weights_(velocities_),
-      lastWeights_(velocities_),
-      others_(velocities_),
       lastVelocities_(velocities_),
-      explained_(velocities_) {
+      meantChanges_(velocities_),
+      changes_(velocities_) {
+    wet_.reserve(areas_.size());
     const auto spare = static_cast<std::int32_t>(areas_.size());
     for (const IndependentBlock& chosen : independentBlocks(shape.triangles, areas_.size())) {
         FaceBlock& block = faces_.emplace_back();
@@ -98,60 +75,139 @@ void FluidForces::push(btSoftBody& body, const Around& around) {
                                (body.m_nodes[n].m_im * btScalar(around.substep));
 }
 
+bool FluidForces::isLiftedOtherwise(const Around& around) const {
+    constexpr double noticeable = 0.05;  // of the sheet
+    double changed = 0;
+    for (const std::size_t n : around.water.nodes())
+        changed += double(areas_[n]) *
+                   std::abs(shareUnderWater(double(around.water.depth(n))) - double(fluid_[n].share));
+    for (const std::size_t n : wet_)
+        if (!around.water.knows(n)) changed += double(areas_[n] * fluid_[n].share);
+    return changed > noticeable * totalArea_;
+}
+
 void FluidForces::evaluate(const btSoftBody& body, const Around& around) {
-    gatherAir(around);
+    lastGravity_ = gravity_;
+    gravity_ = packed(-around.pose.gravity * around.pose.up);
+    if (!isGoingOn_) begin(body, around);
+    gather(around);
     gatherWater(around);
-    for (FluidNode& node : fluid_)
-        node.shareBefore = isGoingOn_ ? std::min(node.shareBefore, node.share) : node.share;
-    estimate(body, around);
     const AirDrag drag = around.laws.drag(0);  // of its members only the permeability depends on the water
     bestKernels().pushByFluid(forces_.data(), faces_.data(), around.pose.places.data(), velocities_.data(),
                               accelerations_.data(), fluid_.data(),
                               {float(airDensity), float(waterDensity), float(0.5 * drag.normal),
                                float(0.5 * drag.tangential), float(addedMass_), float(around.substep)},
                               faces_.size());
-    // Also of pins, at which the force comes to nothing since something answers it.
-    for (std::size_t n = 0; n < areas_.size(); ++n) {
-        const auto mass = float(around.mechanics.masses[n]);
-        explained_[n] = sum(weights_[n], scaled(forces_[n], mass > 0 ? 1 / mass : 0));
-        // Of a substep that comes to nothing sensible nothing is learnt.
-        constexpr float absurd = 1e6f;  // m/s2
-        if (!(sizeOf(explained_[n]) < absurd)) isGoingOn_ = false;
-    }
     lift(around);
+    lastSubstep_ = float(around.substep);
+    isGoingOn_ = true;
 }
 
-void FluidForces::gatherAir(const Around& around) {
+/// A sheet that is held somewhere, or has slept, begins in balance; any other as falling. Writes down a last
+/// substep of which `gather` finds just that.
+void FluidForces::begin(const btSoftBody& body, const Around& around) {
+    bool isHeld = hasRested_ || body.m_anchors.size() > 0;
+    for (int n = 0; !isHeld && n < body.m_nodes.size(); ++n) isHeld = !(body.m_nodes[n].m_im > 0);
+    const MovingNode still = {0, 0, 0, 0}, lifted = {-gravity_.x, -gravity_.y, -gravity_.z, 1};
+    for (std::size_t n = 0; n < areas_.size(); ++n) {
+        accelerations_[n] = isHeld ? still : gravity_;
+        forces_[n] = isHeld ? still : lifted;
+        lastVelocities_[n] = around.pose.speeds[n];
+        meantChanges_[n] = changes_[n] = still;
+    }
+    lastGravity_ = gravity_;
+    lastSubstep_ = float(around.substep);
+}
+
+/// Notes what the last substep says of each node, and what it is like in air, in one pass over all arrays.
+///
+/// The estimate lags behind. A mean over several substeps keeps that from driving what vibrates from one
+/// substep to the next: 0.2 does in air, up to drag that would stop the cloth in a third of a substep. In
+/// water, which goes along and slows vibrations, 0.5 does, and a wrong estimate is sooner forgotten.
+void FluidForces::gather(const Around& around) {
+    constexpr float newestInAir = 0.2f, newestInWater = 0.5f;  // shares in the mean
+    constexpr float absurd = 1e6f;  // m/s2; of a substep that comes to nothing sensible nothing is learnt
+    // Blows much harder than what the fluid does say nothing of the next substep, m/s2 (assumed).
+    const float hardest = std::max(100.0f, 2 * float(around.pose.gravity)), perSecond = 1 / lastSubstep_;
+    const Eigen::Array4f gravity = arrayOf(gravity_), lastGravity = arrayOf(lastGravity_);
     const AirDrag dry = around.laws.drag(0), wet = around.laws.drag(1);
     const auto permeability = float(dry.permeability),
                loss = float(dry.permeability - wet.permeability);  // linear in the saturation
-    const Eigen::Vector3d down = -around.pose.gravity * around.pose.up;
-    const MovingNode gravity = packed(down);
-    weights_.swap(lastWeights_);
     for (std::size_t n = 0; n < areas_.size(); ++n) {
-        const float massPerArea = areas_[n] > 0 ? float(around.mechanics.masses[n]) / areas_[n] : 0;
-        fluid_[n] = {0, fluid_[n].share, massPerArea,
-                     permeability - loss * float(around.mechanics.saturations[n])};
-        velocities_[n] = difference(around.pose.speeds[n], around.winds[n]);
-        weights_[n] = gravity;
-        forces_[n] = {0, 0, 0, 0};
+        MovingNode &acceleration = accelerations_[n], &force = forces_[n];
+        FluidNode& fluid = fluid_[n];
+        const Eigen::Array4f speed = arrayOf(around.pose.speeds[n]),
+                             change = (speed - arrayOf(lastVelocities_[n])) * perSecond,
+                             explained = lastGravity + arrayOf(force) * force.inverseMass;
+        Eigen::Array4f others = arrayOf(acceleration) - lastGravity * (1 - acceleration.inverseMass);
+        const Eigen::Array4f meant = explained + others;
+        const float size = sizeOf(explained), most = hardest + 2 * size;
+        if (size < absurd)
+            others += ((change - explained).min(most).max(-most) - others) *
+                      (newestInAir + (newestInWater - newestInAir) * fluid.share);
+        if (fluid.share > 0) others -= answered(n, meant, change);
+        const float mass = float(around.mechanics.masses[n]), lifted = acceleration.inverseMass;
+        acceleration = nodeOf(gravity + others);
+        acceleration.inverseMass = lifted;
+        force = {0, 0, 0, mass > 0 ? 1 / mass : 0};
+        fluid.massPerArea = areas_[n] > 0 ? mass / areas_[n] : 0;
+        fluid.permeability = permeability - loss * float(around.mechanics.saturations[n]);
+        velocities_[n] = nodeOf(speed - arrayOf(around.winds[n]));
+        lastVelocities_[n] = around.pose.speeds[n];
     }
 }
 
+/// Part of a node's estimated acceleration that something else takes up. The force of water that goes along
+/// rests on the estimate and whatever holds a node answers that force, so that the two could confirm each other
+/// for long: cloth that lands would be weightless for seconds. But a node that does not go where it is meant
+/// to go, in the mean over a while, is held.
+Eigen::Array4f FluidForces::answered(std::size_t node, const Eigen::Array4f& meant,
+                                     const Eigen::Array4f& change) {
+    constexpr float awhile = 0.1f, tiny = 1e-12f;  // s (assumed); m2/s4
+    const float towards = lastSubstep_ / (lastSubstep_ + awhile);
+    MovingNode &meanMeant = meantChanges_[node], &meanChange = changes_[node];
+    meanMeant = nodeOf(arrayOf(meanMeant) + (meant - arrayOf(meanMeant)) * towards);
+    meanChange = nodeOf(arrayOf(meanChange) + (change - arrayOf(meanChange)) * towards);
+    // Only along the estimate: what vibrates in other directions says nothing of it.
+    const auto estimate = arrayOf(accelerations_[node]);
+    const float meantAlong = dot(arrayOf(meanMeant), estimate),
+                follows = dot(arrayOf(meanChange), estimate) / (meantAlong + tiny);
+    if (!(meantAlong > 0 && follows < 0.5f)) return Eigen::Array4f::Zero();
+    // The force changes with the estimate by the share of the mass that is water's.
+    const FluidNode& fluid = fluid_[node];
+    const float perMeant = 1 + float(addedMass_) * fluid.share / fluid.massPerArea;
+    const float wrong = perMeant * meantAlong / (dot(estimate, estimate) + tiny);
+    return estimate * (towards * std::min(1.0f, 1 - 2 * follows) * std::min(1.0f, wrong));
+}
+
 void FluidForces::gatherWater(const Around& around) {
+    for (const std::size_t n : wet_)
+        if (!around.water.knows(n)) immerse(n, 0, 0, around);
+    wet_.clear();
     for (const std::size_t n : around.water.nodes()) {
         const auto mass = float(around.mechanics.masses[n]);
         if (!(mass > 0) || !(areas_[n] > 0)) continue;
-        const float displaced = displacedAtMost(n, around), share = shareAtEnd(n, displaced / mass, around);
-        const float inWater = share * float(waterDensity), inAir = (1 - share) * float(airDensity);
-        const MovingNode moving =
-            mixed(around.winds[n], around.water.velocity(n), inWater / (inWater + inAir));
-        FluidNode& fluid = fluid_[n];
-        fluid.share = share;
-        fluid.permeability += (float(waterPermeability_) - fluid.permeability) * share;
-        velocities_[n] = difference(around.pose.speeds[n], moving);
-        weights_[n] = scaled(weights_[n], 1 - displaced * share / mass);
+        const float displacedOverMass = displacedAtMost(n, around) / mass;
+        immerse(n, shareAtEnd(n, displacedOverMass, around), displacedOverMass, around);
+        wet_.push_back(n);
     }
+}
+
+/// Puts a share of a node, as `gather` has left it, under water.
+void FluidForces::immerse(std::size_t node, float share, float displacedOverMass, const Around& around) {
+    FluidNode& fluid = fluid_[node];
+    fluid.shareBefore = isGoingOn_ ? std::min(fluid.share, share) : share;
+    fluid.share = share;
+    answerLift(node, share * displacedOverMass);
+    if (!(share > 0)) {
+        meantChanges_[node] = changes_[node] = MovingNode{0, 0, 0, 0};
+        return;
+    }
+    const float inWater = share * float(waterDensity), inAir = (1 - share) * float(airDensity);
+    const Eigen::Array4f wind = arrayOf(around.winds[node]), stream = arrayOf(around.water.velocity(node)),
+                         moving = wind + (stream - wind) * (inWater / (inWater + inAir));
+    velocities_[node] = nodeOf(arrayOf(around.pose.speeds[node]) - moving);
+    fluid.permeability += (float(waterPermeability_) - fluid.permeability) * share;
 }
 
 /// Water whose place a node takes when all of it is under, kg.
@@ -165,66 +221,40 @@ float FluidForces::displacedAtMost(std::size_t node, const Around& around) const
 float FluidForces::shareAtEnd(std::size_t node, float displacedOverMass, const Around& around) const {
     const auto dt = float(around.substep), gravity = float(around.pose.gravity);
     const MovingNode up = packed(around.pose.up);
-    const float depth = around.water.depth(node) -
-                        dot(difference(around.pose.speeds[node], around.water.velocity(node)), up) * dt;
+    const float depth =
+        around.water.depth(node) -
+        dot(arrayOf(around.pose.speeds[node]) - arrayOf(around.water.velocity(node)), arrayOf(up)) * dt;
     const double share = shareUnderWater(double(depth));
     if (share == 0 || share == 1) return float(share);
     constexpr double apart = 1e-4;  // m
     const double slope =
         (shareUnderWater(double(depth) + apart) - shareUnderWater(double(depth) - apart)) / (2 * apart);
     const float perLift = float(slope) * dt * dt;
-    const float falling = gravity - dot(others_[node], up);
+    const float falling = -dot(arrayOf(accelerations_[node]), arrayOf(up));  // but for the lift
     return std::clamp((float(share) + perLift * falling) / (1 + perLift * gravity * displacedOverMass), 0.0f,
                       1.0f);
 }
 
-/// The estimate lags behind. A mean over several substeps keeps that from driving what vibrates from one
-/// substep to the next: 0.2 does in air, up to drag that would stop the cloth in a third of a substep. In
-/// water, which goes along and slows vibrations, 0.5 does, and a wrong estimate is sooner forgotten.
-void FluidForces::estimate(const btSoftBody& body, const Around& around) {
-    if (isGoingOn_) {
-        constexpr float newestInAir = 0.2f, newestInWater = 0.5f;  // shares in the mean
-        // Blows much harder than what the fluid does say nothing of the next substep, m/s2 (assumed).
-        const float hardest = std::max(100.0f, 2 * float(around.pose.gravity));
-        const float perSecond = 1 / lastSubstep_;
-        for (std::size_t n = 0; n < areas_.size(); ++n) {
-            const MovingNode found = difference(
-                scaled(difference(around.pose.speeds[n], lastVelocities_[n]), perSecond), explained_[n]);
-            const float newest = newestInAir + (newestInWater - newestInAir) * fluid_[n].share;
-            others_[n] = mixed(others_[n], limited(found, hardest + 2 * sizeOf(explained_[n])), newest);
-        }
-        for (const std::size_t n : around.water.nodes()) answerLift(n);
-    } else {
-        begin(body);
-    }
-    for (std::size_t n = 0; n < areas_.size(); ++n) {
-        accelerations_[n] = sum(weights_[n], others_[n]);
-        lastVelocities_[n] = around.pose.speeds[n];
-    }
-    lastSubstep_ = float(around.substep);
-    isGoingOn_ = true;
-}
-
 /// What holds a node answers any change of its weight at once, as far as it has held it: without knowing that,
 /// water that goes along would.
-void FluidForces::answerLift(std::size_t node) {
+void FluidForces::answerLift(std::size_t node, float lifted) {
     constexpr float nothing = 0.01f;  // m2/s4
-    const MovingNode &others = others_[node], &last = lastWeights_[node];
+    MovingNode& acceleration = accelerations_[node];
+    const Eigen::Array4f weight = arrayOf(gravity_) * (1 - lifted),
+                         last = arrayOf(lastGravity_) * (1 - acceleration.inverseMass),
+                         others = arrayOf(acceleration) - arrayOf(gravity_);
     const float held = std::clamp((nothing - dot(others, last)) / (nothing + dot(last, last)), 0.0f, 1.0f);
-    others_[node] = difference(others, scaled(difference(weights_[node], last), held));
-}
-
-/// A sheet that is held somewhere, or has slept, begins in balance; any other as falling.
-void FluidForces::begin(const btSoftBody& body) {
-    bool isHeld = hasRested_ || body.m_anchors.size() > 0;
-    for (int n = 0; !isHeld && n < body.m_nodes.size(); ++n) isHeld = !(body.m_nodes[n].m_im > 0);
-    for (std::size_t n = 0; n < areas_.size(); ++n) others_[n] = scaled(weights_[n], isHeld ? -1.0f : 0.0f);
+    acceleration = nodeOf(weight + others - (weight - last) * held);
+    acceleration.inverseMass = lifted;
 }
 
 void FluidForces::lift(const Around& around) {
-    const Eigen::Vector3d up = around.pose.gravity * around.pose.up;
-    for (const std::size_t n : around.water.nodes())
-        shift(forces_[n], toBullet(up * double(fluid_[n].share * displacedAtMost(n, around))));
+    for (const std::size_t n : wet_) {
+        const float mass = float(around.mechanics.masses[n]) * accelerations_[n].inverseMass;
+        MovingNode& force = forces_[n];
+        force = {force.x - gravity_.x * mass, force.y - gravity_.y * mass, force.z - gravity_.z * mass,
+                 force.inverseMass};
+    }
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -57,34 +57,47 @@ class FluidForces {
         hasRested_ = true;
     }
 
+    /// Whether water lifts a body that has rested otherwise than when it came to rest.
+    bool isLiftedOtherwise(const Around& around) const;
+
+    /// See SheetPose.
+    double floatingShare() const { return floatingShare_; }
+
   private:
     void evaluate(const btSoftBody& body, const Around& around);
-    void gatherAir(const Around& around);
+    void begin(const btSoftBody& body, const Around& around);
+    void gather(const Around& around);
+    Eigen::Array4f answered(std::size_t node, const Eigen::Array4f& meant, const Eigen::Array4f& change);
     void gatherWater(const Around& around);
+    void immerse(std::size_t node, float share, float displacedOverMass, const Around& around);
     float displacedAtMost(std::size_t node, const Around& around) const;
     float shareAtEnd(std::size_t node, float displacedOverMass, const Around& around) const;
-    void estimate(const btSoftBody& body, const Around& around);
-    void begin(const btSoftBody& body);
-    void answerLift(std::size_t node);
+    void answerLift(std::size_t node, float lifted);
     void lift(const Around& around);
 
     std::vector<float> areas_;  // of the nodes, m2
     double fibrePerArea_;       // water that the fibre displaces, kg/m2
+    double floatingShare_;      // see SheetPose
     double waterPermeability_;  // m/(s Pa)
+    double totalArea_;          // m2
     double addedMass_;          // under water, kg/m2
     std::vector<FaceBlock> faces_;
-    // Of each node, and a spare one; see SmallStepKernels::pushByFluid.
-    std::vector<MovingNode> velocities_, accelerations_, forces_;
+    // Of each node, and a spare one; see SmallStepKernels::pushByFluid. They last until the next substep, which
+    // learns from them.
+    std::vector<MovingNode> velocities_;
+    std::vector<MovingNode> accelerations_;  // with the share of the weight that water lifts as fourth
+    std::vector<MovingNode> forces_;         // with the inverse masses
     std::vector<FluidNode> fluid_;
+    std::vector<std::size_t> wet_;  // nodes that are in water
 
     bool isGoingOn_ = false;                  // from the last substep
     bool hasRested_ = false;                  // at some time
     float lastSubstep_ = 0;                   // s
-    std::vector<MovingNode> weights_;         // acceleration by gravity and buoyancy, m/s2
-    std::vector<MovingNode> lastWeights_;     // the same in the last substep, m/s2
-    std::vector<MovingNode> others_;          // by links, contacts and the application, estimated, m/s2
+    MovingNode gravity_ = {0, 0, 0, 0};       // m/s2
+    MovingNode lastGravity_ = {0, 0, 0, 0};   // of the last substep, m/s2
     std::vector<MovingNode> lastVelocities_;  // as the last substep began, m/s
-    std::vector<MovingNode> explained_;       // acceleration in it by weight, drag and added mass, m/s2
+    // Means over a while under water of the acceleration that was meant and the one that came of it, m/s2.
+    std::vector<MovingNode> meantChanges_, changes_;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

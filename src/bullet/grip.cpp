@@ -19,6 +19,11 @@ double nodeDistance(const ClothMesh& mesh) {
 
 }  // namespace
 
+double usableFriction(double coefficient) {
+    constexpr double most = 1e3;  // holds whatever presses
+    return coefficient > 0 ? std::min(coefficient, most) : 0;
+}
+
 Grip::Grip(const Fabric& fabric, const ClothMesh& mesh)
     : bondedTo(mesh.size(), nullptr),
       bondedToCloth(mesh.size(), nullptr),
@@ -38,7 +43,7 @@ void Grip::setSurface(const btCollisionObject& solid, const Surface& surface) {
 Surface Grip::surfaceAt(const btCollisionObject& solid, btScalar kDF) const {
     const auto found = surfaces_.find(&solid);
     if (found != surfaces_.end()) return found->second;
-    const double dry = double(kDF) * double(solid.getFriction());
+    const double dry = usableFriction(double(kDF) * double(solid.getFriction()));
     const Surface& plate = ofKind(SurfaceKind::plate);
     if (!(plate.frictionDry > 0)) return {dry, dry, dry, plate.wettability};
     const double share = dry / plate.frictionDry;

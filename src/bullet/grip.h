@@ -17,6 +17,10 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
+/// A friction coefficient that an application has given Bullet, with which one can calculate: at most 1000, which holds
+/// whatever presses, and 0 for what is negative or no number.
+double usableFriction(double coefficient);
+
 /// Cling is cohesion: where wet cloth has touched a surface it stays bonded to it. A bond pulls its node back
 /// with a force of up to energy / reach x area, as far as `reach`, where it breaks. So to peel takes the
 /// energy, whatever the reach is. The reach is the distance of neighbouring nodes: rows of nodes then come off one

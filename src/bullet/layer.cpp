@@ -165,7 +165,8 @@ SheetPose WetCloth::Layer::sheetPose() const {
             pose.gravity,
             totalArea,
             shelter,
-            &body};
+            &body,
+            fluidForces.floatingShare()};
 }
 
 void WetCloth::Layer::add(std::unique_ptr<Source> source) {
@@ -238,10 +239,16 @@ void WetCloth::Layer::substep(btScalar dt) {
 
 void WetCloth::Layer::postTick(btScalar dt) {
     if (!isInWorld() || !body.isActive()) return;
-    if (deformable)
-        deformableContacts.rewrite(world, body, mechanics.grip, dt, deformableModeOf(world).implicit);
-    else if (!mechanics.movedBySmallSteps)
+    using Mover = ClothContacts::Mover;
+    if (deformable) {
+        const bool implicit = deformableModeOf(world).implicit;
+        clothContacts.solve(world, body, mechanics.grip,
+                            implicit ? Mover::implicitWorld : Mover::explicitWorld, double(dt));
+        deformableContacts.rewrite(world, body, mechanics.grip, dt, implicit);
+    } else if (!mechanics.movedBySmallSteps) {
+        clothContacts.solve(world, body, mechanics.grip, Mover::stockSolver, double(body.m_sst.sdt));
         stockContacts.rewrite(world, body, mechanics.grip);
+    }
 }
 
 /// The deformable world knows no timescale.
@@ -368,8 +375,9 @@ void WetCloth::Layer::writeBack(double bodyStep) {
 
 /// Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
 void WetCloth::Layer::pushByFluid(double bodyStep) {
-    const FluidForces::Around around = {laws,     winds.velocities(), submersion, moisture, mechanics,
-                                        pose, bodyStep};
+    const FluidForces::Around around = {laws,    winds.velocities(), submersion, moisture, mechanics, pose,
+                                        bodyStep};
+    if (!body.isActive() && fluidForces.isLiftedOtherwise(around)) body.activate();
     if (!body.isActive())
         fluidForces.rest();
     else if (deformable)

@@ -12,6 +12,7 @@
 
 #include "account_supply.h"
 #include "body_watch.h"
+#include "cloth_contacts.h"
 #include "deformable_contacts.h"
 #include "deformable_sheet.h"
 #include "drench/drop.h"
@@ -104,6 +105,7 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     std::unique_ptr<DeformableSheet> deformable;  // where the world is deformable; else none
     StockContacts stockContacts;
     DeformableContacts deformableContacts;
+    ClothContacts clothContacts;
 
     AccountSupply application;  // for water that the application adds itself
     std::vector<Supplier> suppliers;

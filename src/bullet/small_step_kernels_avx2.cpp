@@ -10,7 +10,7 @@ namespace avx2 {
 const SmallStepKernels& avx2Kernels();
 const SmallStepKernels& avx2Kernels() {
     static const SmallStepKernels kernels = {
-        "AVX2",           avx2::advance,       avx2::pushByFluid,  avx2::prepareLinks,
+        "AVX2",           avx2::advance,       avx2::pushByFluid, avx2::prepareLinks,
         avx2::solveLinks, avx2::preparePlates, avx2::solvePlates};
     return kernels;
 }

@@ -106,11 +106,11 @@ void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth, const Gr
     if (body.m_fdbvt.empty()) body.initializeFaceTree();  // which else comes with the first stock step
     const btScalar margin = body.getCollisionShape()->getMargin();
     ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
-    const btScalar reach = grip.clings() ? btScalar(grip.reach()) : btScalar(0);
     btScalar farthest = 0;
     for (std::size_t n = 0; n < cloth.size(); ++n) {
         btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-        const btScalar length = vectorOf(cloth.reach(n)).length() + reach;
+        const btScalar bond = grip.bondedToCloth[n] ? btScalar(grip.reach()) : btScalar(0);
+        const btScalar length = vectorOf(cloth.reach(n)).length() + bond;
         farthest = std::max(farthest, length);
         node.m_q = node.m_x - btVector3(length / 2, 0, 0);
         volume = btDbvtVolume::FromCR(node.m_x, margin + length);

@@ -1,10 +1,10 @@
 #include "soft_contacts.h"
 
-#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "face_projection.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -23,29 +23,21 @@ struct SoftContacts::Finder final : btDbvt::ICollide {
           owner_(nodes),
           other_(faces),
           margin_(nodes.getCollisionShape()->getMargin() + faces.getCollisionShape()->getMargin()),
-          friction_(std::max(nodes.m_cfg.kDF, faces.m_cfg.kDF)) {}
+          friction_(dryFriction(nodes, faces)) {}
 
     void Process(const btDbvtNode* leafOfNode, const btDbvtNode* leafOfFace) override {
         auto& node = *static_cast<btSoftBody::Node*>(leafOfNode->data);
         auto& face = *static_cast<btSoftBody::Face*>(leafOfFace->data);
-        btSubSimplexClosestResult nearest;
-        simplex_.closestPtPointTriangle(node.m_x, face.m_n[0]->m_x, face.m_n[1]->m_x, face.m_n[2]->m_x,
-                                        nearest);
-        const btVector3 apart = node.m_x - nearest.m_closestPointOnSimplex;
-        const btScalar distance = apart.length();
+        const FaceProjection::Nearest nearest =
+            projection_.of(node.m_x, face.m_n[0]->m_x, face.m_n[1]->m_x, face.m_n[2]->m_x);
+        const btScalar distance = nearest.apart.length();
         const btScalar farthest = margin_ + 2 * (node.m_x - node.m_q).length();
         // Of a node in the very plane of a face nobody knows which way is out.
         if (!(distance > SIMD_EPSILON && distance < farthest)) return;
-        btSoftBody::SContact contact;
-        contact.m_node = &node;
-        contact.m_face = &face;
-        const btScalar* const weights = nearest.m_barycentricCoords;
-        contact.m_weights.setValue(weights[0], weights[1], weights[2]);
-        contact.m_normal = apart / distance;
-        contact.m_margin = farthest;
-        contact.m_friction = friction_;
-        contact.m_cfm[0] = contact.m_cfm[1] = 0;  // of Bullet's solver
-        found_.push_back({&owner_, &other_, contact, margin_});
+        const btVector3 normal = nearest.apart / distance;
+        found_.push_back({&owner_, &other_,
+                          silentContact(node, face, nearest.weights, normal, farthest, friction_), margin_,
+                          distance});
     }
 
   private:
@@ -54,17 +46,56 @@ struct SoftContacts::Finder final : btDbvt::ICollide {
     btSoftBody& other_;
     const btScalar margin_;
     const btScalar friction_;
-    btVoronoiSimplexSolver simplex_;
+    FaceProjection projection_;
 };
 
 void SoftContacts::find(btSoftBody& nodes, btSoftBody& faces) {
+    const std::size_t first = found_.size();
     Finder finder(found_, nodes, faces);
     nodes.m_ndbvt.collideTT(nodes.m_ndbvt.m_root, faces.m_fdbvt.m_root, finder);
+    choose(first);
+}
+
+void SoftContacts::choose(std::size_t first) {
+    const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(begin, found_.end(), [](const Found& a, const Found& b) {
+        if (a.contact.m_node != b.contact.m_node) return a.contact.m_node < b.contact.m_node;
+        return a.distance != b.distance ? a.distance < b.distance : a.contact.m_face < b.contact.m_face;
+    });
+    auto kept = begin;
+    const Found* nearest = nullptr;
+    for (auto each = begin; each != found_.end(); ++each) {
+        const bool isNearest = !nearest || nearest->contact.m_node != each->contact.m_node;
+        if (!isNearest && !rises(*each, *nearest)) continue;
+        *kept = *each;
+        if (isNearest) nearest = &*kept;
+        ++kept;
+    }
+    found_.erase(kept, found_.end());
+}
+
+/// Whether a face rises above the plane by which a node meets the nearest one; its own plane then counts.
+bool SoftContacts::rises(Found& found, const Found& nearest) {
+    constexpr btScalar flat = btScalar(0.1);  // of the margin
+    const btVector3& up = nearest.contact.m_normal;
+    const btVector3& place = found.contact.m_node->m_x;
+    const btVector3 point = place - up * nearest.distance;
+    const auto* const corners = found.contact.m_face->m_n;
+    btScalar top = 0;
+    for (int corner = 0; corner < 3; ++corner) top = std::max(top, up.dot(corners[corner]->m_x - point));
+    if (top < flat * found.margin) return false;
+    const btVector3 normal = (corners[1]->m_x - corners[0]->m_x).cross(corners[2]->m_x - corners[0]->m_x);
+    const btScalar length = normal.length();
+    if (!(length > 0)) return false;
+    const bool isBehind = normal.dot(place - corners[0]->m_x) < 0;
+    found.contact.m_normal = normal / (isBehind ? -length : length);
+    return true;
 }
 
 void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int steps) {
     substep_ = btScalar(substep);
     share_ = 1 / btScalar(steps);
+    isFirstStep_ = true;
     contacts_.clear();
     guests_.clear();
     for (const Found& found : found_) contacts_.push_back(placed(found, sheets));
@@ -174,9 +205,12 @@ std::size_t SoftContacts::guestOf(btSoftBody::Node& node, bool isAwake) {
 
 void SoftContacts::advance() {
     for (Guest& guest : guests_) {
+        // It goes on with what pushes have given it.
+        const btVector3 step = isFirstStep_ ? guest.own * share_ : vectorOf(guest.moved) - guest.before;
         guest.before = vectorOf(guest.moved);
-        shift(guest.moved, guest.own * share_);
+        shift(guest.moved, step);
     }
+    isFirstStep_ = false;
 }
 
 btVector3 SoftContacts::step(const Contact& contact, std::size_t corner) const {
@@ -232,7 +266,7 @@ void SoftContacts::finish(const std::vector<Sheet>& sheets) {
         const btVector3 moved = vectorOf(guest.moved);
         if (!(guest.moved.inverseMass > 0) || !std::isfinite(moved.x() + moved.y() + moved.z())) continue;
         guest.node->m_x = guest.start + moved;
-        guest.node->m_v += (moved - guest.own) / substep_;
+        guest.node->m_v += (moved - guest.before - guest.own * share_) / (substep_ * share_);
     }
 }
 

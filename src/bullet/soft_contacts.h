@@ -26,8 +26,7 @@ class SoftContacts {
 
     void clear() { found_.clear(); }
 
-    /// Looks for contacts of the nodes of one body with the faces of another, in Bullet's trees. (Bullet's own
-    /// search takes triangles of less than 1.7 cm2 for points, and finds nothing on them.)
+    /// Looks for contacts of the nodes of one body with the faces of another, in Bullet's trees.
     void find(btSoftBody& nodes, btSoftBody& faces);
 
     // Then, in each substep and each of its small steps.
@@ -44,7 +43,8 @@ class SoftContacts {
         btSoftBody* owner;  // of the node
         btSoftBody* other;  // of the face
         btSoftBody::SContact contact;
-        btScalar margin;  // m
+        btScalar margin;    // m
+        btScalar distance;  // m
     };
     struct Contact {
         SmallStepSheet* sheets[4];  // of the node, and of the three of the face; none for guests
@@ -69,6 +69,12 @@ class SoftContacts {
         btVector3 before;  // of moved, in the current small step, m
     };
 
+    /// Of what was found since then, leaves each node its nearest face, and of the others those that rise above the
+    /// plane of that: the plane by which it would meet the next face of level cloth, at its edge, would stand in
+    /// its way.
+    void choose(std::size_t first);
+    static bool rises(Found& found, const Found& nearest);
+
     Contact placed(const Found& found, const std::vector<Sheet>& sheets);
     /// @return where the node is as the substep begins
     btVector3 place(Contact& contact, std::size_t corner, btSoftBody::Node& node, const btSoftBody& body,
@@ -87,6 +93,7 @@ class SoftContacts {
     std::vector<int> nearest_;       // contact of each node of a sheet; -1 for none
     btScalar substep_ = 0;           // s
     btScalar share_ = 0;             // of a small step in the substep
+    bool isFirstStep_ = true;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -66,7 +66,7 @@ void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const Gr
                      ownMotion(object, centre, substep).length() + sheet.farthestReach());
     if (with.isTriangle && mesh_ != &object) {
         mesh_ = &object;
-        meshContacts_.assign(sheet.size(), {-1, -1, -1});
+        meshContacts_.assign(sheet.size(), {-1, -1, -1, -1, -1, -1});
     }
 
     for (std::size_t part = 0; part < sheet.bounds().size(); ++part) {
@@ -101,9 +101,10 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
                       node.m_x - surface.normal * surface.distance,
                       surface.normal,
                       btVector3(0, 0, 0),
-                      0};
-    const std::size_t at =
-        with.isTriangle ? placeOnMesh(n, place, surface.distance, node.m_x) : contacts_.size();
+                      0,
+                      surface.distance,
+                      true};
+    const std::size_t at = with.isTriangle ? placeOnMesh(n, place, node.m_x) : contacts_.size();
     if (at == contacts_.size()) {
         const double bond = with.surface.wettability * with.grip.bond(n);
         contacts_.push_back({static_cast<int>(n),
@@ -119,29 +120,89 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
     }
 }
 
-std::size_t SolidContacts::placeOnMesh(std::size_t n, const Place& place, btScalar distance,
-                                       const btVector3& start) {
+std::size_t SolidContacts::placeOnMesh(std::size_t n, const Place& place, const btVector3& start) {
     constexpr btScalar sameWay = btScalar(0.7);
     const std::size_t nowhere = contacts_.size() + 1;
-    const auto distanceOf = [&](int contact) {
-        const Place& other = places_[static_cast<std::size_t>(contact)];
-        return (start - other.point).dot(other.normal);
+    const btTransform& solid = mesh_->getWorldTransform();
+    const auto wayOf = [&](const Place& of) {
+        return normalOfTriangle(*of.shape, solid * of.shapeInSolid, start);
     };
-    int* farthest = nullptr;
+    const btVector3 way = wayOf(place);
+    std::size_t farthest = nowhere;
     for (int& known : meshContacts_[n]) {
         if (known < 0) {
             known = static_cast<int>(contacts_.size());
             return contacts_.size();
         }
         const auto at = static_cast<std::size_t>(known);
-        if (places_[at].normal.dot(place.normal) > sameWay)
-            return distanceOf(known) > distance ? at : nowhere;
-        if (!farthest || distanceOf(known) > distanceOf(*farthest)) farthest = &known;
+        if (wayOf(places_[at]).dot(way) > sameWay)
+            return places_[at].distance > place.distance ? at : nowhere;
+        if (farthest == nowhere || places_[at].distance > places_[farthest].distance) farthest = at;
     }
-    return distanceOf(*farthest) > distance ? static_cast<std::size_t>(*farthest) : nowhere;
+    return places_[farthest].distance > place.distance ? farthest : nowhere;
+}
+
+void SolidContacts::choose(const btSoftBody& body, const Solids& solids) {
+    lastOfNode_.assign(static_cast<std::size_t>(body.m_nodes.size()), -1);
+    before_.clear();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        int& last = lastOfNode_[static_cast<std::size_t>(contacts_[i].node)];
+        before_.push_back(last);
+        last = static_cast<int>(i);
+    }
+    constexpr btScalar flat = btScalar(0.1);  // of the margin
+    const btScalar margin = body.getCollisionShape()->getMargin();
+    const auto before = [&](int contact) { return before_[static_cast<std::size_t>(contact)]; };
+    for (const int last : lastOfNode_) {
+        if (last < 0 || before(last) < 0) continue;
+        int nearest = last;
+        for (int i = before(last); i >= 0; i = before(i))
+            if (places_[static_cast<std::size_t>(i)].distance <
+                places_[static_cast<std::size_t>(nearest)].distance)
+                nearest = i;
+        const auto chosen = static_cast<std::size_t>(nearest);
+        const btVector3& start = body.m_nodes[contacts_[chosen].node].m_x;
+        for (int i = last; i >= 0; i = before(i))
+            if (i != nearest)
+                choose(start, places_[chosen], flat * margin, static_cast<std::size_t>(i), solids);
+    }
+    removeLeftOut();
+}
+
+void SolidContacts::choose(const btVector3& start, const Place& nearest, btScalar flat, std::size_t other,
+                           const Solids& solids) {
+    constexpr btScalar otherFace = btScalar(-0.5);
+    Place& place = places_[other];
+    Contact& contact = contacts_[other];
+    const btTransform transform = solids[place.solid].end() * place.shapeInSolid;
+    const btVector3& up = nearest.normal;
+    const btScalar top = place.isTriangle ? farthestOfTriangle(*place.shape, transform, up)
+                                          : farthestAlong(*place.shape, transform, up);
+    if (top - up.dot(nearest.point) < flat) {
+        contact.node = -1;
+        return;
+    }
+    place.facesNode = !place.isTriangle;
+    if (place.isTriangle) place.normal = normalOfTriangle(*place.shape, transform, start);
+    // A face of the cloth clings once.
+    if (up.dot(place.normal) > otherFace) contact.bond = 0;
+    contact.isBonded = contact.isBonded && contact.bond > 0;
+}
+
+void SolidContacts::removeLeftOut() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        if (contacts_[i].node < 0) continue;
+        contacts_[kept] = contacts_[i];
+        places_[kept] = places_[i];
+        ++kept;
+    }
+    contacts_.erase(contacts_.begin() + static_cast<std::ptrdiff_t>(kept), contacts_.end());
+    places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(kept), places_.end());
 }
 
 void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids) {
+    choose(body, solids);
     const btScalar margin = body.getCollisionShape()->getMargin();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         Contact& contact = contacts_[i];
@@ -175,8 +236,8 @@ void SolidContacts::follow(Place& place, const btSoftBody& body, const btVector3
     const SurfacePoint surface =
         place.isTriangle ? nearestOnTriangle(*place.shape, transform, point)
                          : nearestSurface(*place.shape, transform, point, body.m_worldInfo->m_sparsesdf);
-    place.normal = surface.normal;
     place.point = point - surface.normal * surface.distance;
+    place.normal = place.facesNode ? surface.normal : normalOfTriangle(*place.shape, transform, point);
 }
 
 void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
@@ -213,7 +274,11 @@ void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const Pl
     // What presses the faces together is what holds them apart: the push, and that against the bond.
     const btScalar length = along.length(), most = btScalar(contact.friction) * (push + bond);
     btVector3 total = normal * push;
-    if (length > 0) total -= along * (std::min(most, length / (inverseMass + place.response)) / length);
+    if (length > 0) {
+        // Along its surface a solid that may turn gives way more readily than across it.
+        const btScalar giving = inverseMass + solid.response(place.arm, along / length);
+        total -= along * (std::min(most, length / giving) / length);
+    }
     shift(node, total * inverseMass);
     solid.push(place.arm, -total);
 }

@@ -57,11 +57,21 @@ class SolidContacts {
         btVector3 normal;  // likewise
         btVector3 arm;     // of the point, from the solid's centre of mass, as the substep ends
         btScalar response;
+        btScalar distance;  // of the node from the point, as found, m
+        bool facesNode;     // whether the plane faces the node, or is that of the triangle
     };
 
     void findNode(btSoftBody& body, const SmallStepSheet& sheet, std::size_t n, const Touching& with);
     /// Where the contact of a node with a mesh goes; see meshContacts_.
-    std::size_t placeOnMesh(std::size_t n, const Place& place, btScalar distance, const btVector3& start);
+    std::size_t placeOnMesh(std::size_t n, const Place& place, const btVector3& start);
+    /// Leaves out contacts that would stand in the way of a node on flat ground of several parts, be they triangles,
+    /// children of a compound or solids side by side: the next part is nearest at its edge, ahead of the node, and a
+    /// plane that faces the node from there is none of its surface. So of what a node might touch the nearest
+    /// counts, and of the rest only what rises above the nearest's plane; triangles then by their own plane.
+    void choose(const btSoftBody& body, const Solids& solids);
+    void choose(const btVector3& start, const Place& nearest, btScalar flat, std::size_t other,
+                const Solids& solids);
+    void removeLeftOut();
     /// Moves the plane to where the solid is as the substep ends.
     void follow(Place& place, const btSoftBody& body, const btVector3& start, const Solid& solid) const;
     void hold(SmallStepSheet& sheet, const Contact& contact, const Place& place, Solid& solid,
@@ -71,9 +81,11 @@ class SolidContacts {
     std::vector<Place> places_;
     btScalar reach_ = 0;  // of bonds, m
     // A node meets many triangles of a mesh, and stays on its side of the nearest of those that face the same
-    // way, of three ways at most. The contacts with the mesh that was met last, of each node; -1 for none.
-    std::vector<std::array<int, 3>> meshContacts_;
+    // way, of six ways at most. The contacts with the mesh that was met last, of each node; -1 for none.
+    std::vector<std::array<int, 6>> meshContacts_;
     const btCollisionObject* mesh_ = nullptr;
+    std::vector<int> lastOfNode_,
+        before_;  // the last contact of each node, and that before each contact; -1 for none
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

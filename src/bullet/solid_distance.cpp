@@ -8,6 +8,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace drench {
@@ -61,6 +62,21 @@ SurfacePoint ofConvex(const btConvexShape& shape, const btVector3& point, btSpar
     return found;
 }
 
+using Triangle = std::array<btVector3, 3>;
+
+/// Of the six points that Bullet makes of a triangle, three are on either side.
+Triangle triangleOf(const btCollisionShape& hull) {
+    const auto& points = static_cast<const btConvexHullShape&>(hull);
+    Triangle corners;
+    for (int i = 0; i < 3; ++i)
+        corners[static_cast<std::size_t>(i)] = (points.getScaledPoint(i) + points.getScaledPoint(i + 3)) / 2;
+    return corners;
+}
+
+btVector3 normalOf(const Triangle& triangle) {
+    return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
+}
+
 }  // namespace
 
 SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& transform,
@@ -99,18 +115,39 @@ bool isTriangleOfMesh(const btCollisionObjectWrapper& solid) {
 
 SurfacePoint nearestOnTriangle(const btCollisionShape& hull, const btTransform& transform,
                                const btVector3& point) {
-    const auto& corners = static_cast<const btConvexHullShape&>(hull);
-    const auto corner = [&](int i) {
-        return (corners.getScaledPoint(i) + corners.getScaledPoint(i + 3)) / 2;
-    };
-    const btVector3 local = transform.invXform(point), a = corner(0), b = corner(1), c = corner(2);
+    const Triangle triangle = triangleOf(hull);
+    const btVector3 local = transform.invXform(point);
     btVoronoiSimplexSolver simplex;
     btSubSimplexClosestResult nearest;
-    simplex.closestPtPointTriangle(local, a, b, c, nearest);
+    simplex.closestPtPointTriangle(local, triangle[0], triangle[1], triangle[2], nearest);
     SurfacePoint found = around(local - nearest.m_closestPointOnSimplex, 0);
-    if (!(found.distance > SIMD_EPSILON)) found.normal = (b - a).cross(c - a).normalized();
+    if (!(found.distance > SIMD_EPSILON)) found.normal = normalOf(triangle);
     found.normal = transform.getBasis() * found.normal;
     return found;
+}
+
+btVector3 normalOfTriangle(const btCollisionShape& hull, const btTransform& transform,
+                           const btVector3& point) {
+    const Triangle triangle = triangleOf(hull);
+    const btVector3 normal = normalOf(triangle);
+    const bool isBehind = normal.dot(transform.invXform(point) - triangle[0]) < 0;
+    return transform.getBasis() * (isBehind ? -normal : normal);
+}
+
+btScalar farthestAlong(const btCollisionShape& shape, const btTransform& transform,
+                       const btVector3& direction) {
+    if (!shape.isConvex()) return BT_LARGE_FLOAT;
+    const auto& convex = static_cast<const btConvexShape&>(shape);
+    const btVector3 local = direction * transform.getBasis();
+    return direction.dot(transform * convex.localGetSupportingVertex(local));
+}
+
+btScalar farthestOfTriangle(const btCollisionShape& hull, const btTransform& transform,
+                            const btVector3& direction) {
+    btScalar farthest = -BT_LARGE_FLOAT;
+    for (const btVector3& corner : triangleOf(hull))
+        farthest = std::max(farthest, direction.dot(transform * corner));
+    return farthest;
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

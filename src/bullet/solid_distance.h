@@ -27,5 +27,16 @@ bool isTriangleOfMesh(const btCollisionObjectWrapper& solid);
 SurfacePoint nearestOnTriangle(const btCollisionShape& hull, const btTransform& transform,
                                const btVector3& point);
 
+/// The normal of such a triangle on the side where the point is.
+btVector3 normalOfTriangle(const btCollisionShape& hull, const btTransform& transform,
+                           const btVector3& point);
+
+/// How far a solid's shape reaches along a direction, as a place along it, m; infinitely far if it is not convex.
+btScalar farthestAlong(const btCollisionShape& shape, const btTransform& transform,
+                       const btVector3& direction);
+/// The same of a triangle.
+btScalar farthestOfTriangle(const btCollisionShape& hull, const btTransform& transform,
+                            const btVector3& direction);
+
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

@@ -32,6 +32,7 @@ void StockContacts::rewrite(const btCollisionWorld& world, btSoftBody& body, Gri
     met_.begin(world, body, grip);
     solids_.clear();
     held_.clear();
+    heldAt_.assign(grip.bondedTo.size(), -1);
     bonds_.assign(grip.bondedTo.size(), nullptr);
     stuck_.swap(stuckBefore_);
     stuck_.assign(bonds_.size(), {});
@@ -78,8 +79,23 @@ void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, con
     const auto index = static_cast<std::size_t>(n);
     const double bond = met.surface.wettability * grip.bond(index);
     if (bond > 0) bonds_[index] = &object;
-    held_.push_back({n, solids_.indexOf(object), surface, std::max(btScalar(0), -approach), true, bond,
-                     grip.friction(met.surface, index)});
+    add({n, solids_.indexOf(object), surface, std::max(btScalar(0), -approach), true, bond,
+         grip.friction(met.surface, index)});
+}
+
+/// What faces a node by several parts, as a floor of boxes or triangles does, presses and clings once.
+void StockContacts::add(const Held& held) {
+    constexpr btScalar alike = btScalar(0.7);  // cosine between the normals
+    int& at = heldAt_[static_cast<std::size_t>(held.node)];
+    if (at >= 0) {
+        Held& other = held_[static_cast<std::size_t>(at)];
+        if (other.surface.normal.dot(held.surface.normal) > alike) {
+            if (held.approach > other.approach) other = held;
+            return;
+        }
+    }
+    at = static_cast<int>(held_.size());
+    held_.push_back(held);
 }
 
 void StockContacts::findBonded(btSoftBody& body, const Grip& grip) {
@@ -116,23 +132,31 @@ void StockContacts::hold(btSoftBody& body, const Held& held, btScalar reach) {
 
     const btVector3 slip = node.m_x - node.m_q - solid.step(arm);
     const btVector3 along = slip - normal * slip.dot(normal);
+    // A solid that may turn gives way to what drags it along its surface more than to what presses on it.
+    const btScalar length = along.length(),
+                   givesWay = length > 0 ? node.m_im + solid.response(arm, along / length) : response,
+                   needed = length / givesWay;
     // What presses the faces together is what holds them apart: the push, and that against the bond.
-    const btScalar length = along.length(), most = btScalar(held.friction) * (push + bond) * response;
-    const bool sticks = length <= most;
-    btVector3 total = along * (sticks ? btScalar(-1) : -most / length) / response;
+    const btScalar most = btScalar(held.friction) * (push + bond);
+    const bool sticks = needed <= most;
+    btVector3 total(0, 0, 0);
+    if (length > 0) total = along * (-std::min(needed, most) / length);
     if (!held.isInContact) total += normal * push;  // else Bullet does that
     displace(node, total * node.m_im, substep);
     solid.push(arm, -total);
-    if (sticks) stick(node, held);
+    if (sticks) stick(body, held);
 }
 
-void StockContacts::stick(btSoftBody::Node& node, const Held& held) {
+void StockContacts::stick(btSoftBody& body, const Held& held) {
+    btSoftBody::Node& node = body.m_nodes[held.node];
     const btTransform& place = solids_[held.solid].end();
     const auto n = static_cast<std::size_t>(held.node);
     const btCollisionObject* const object = &solids_[held.solid].object();
     if (stuckBefore_[n].object == object) {
         const btVector3 back = place * stuckBefore_[n].place - node.m_x;
-        lift(node, back - held.surface.normal * back.dot(held.surface.normal));
+        // Someone has put the sheet or the solid elsewhere if it is farther than links could have pulled it.
+        const btScalar most = body.getCollisionShape()->getMargin() + (node.m_x - node.m_q).length();
+        if (back.length() <= most) lift(node, back - held.surface.normal * back.dot(held.surface.normal));
     }
     stuck_[n] = {object, place.invXform(node.m_x)};
 }

@@ -42,15 +42,17 @@ class StockContacts {
     };
 
     void rewrite(btSoftBody::RContact& contact, btSoftBody& body, const Grip& grip);
+    void add(const Held& held);
     void findBonded(btSoftBody& body, const Grip& grip);
     void hold(btSoftBody& body, const Held& held, btScalar reach);
     /// Puts a node that friction holds back along the surface to where it has held it before.
-    void stick(btSoftBody::Node& node, const Held& held);
+    void stick(btSoftBody& body, const Held& held);
 
     MetSolids met_;
     Solids solids_;
     std::vector<Held> held_;
     // Of each node.
+    std::vector<int> heldAt_;                      // the last in held_; -1 for none
     std::vector<const btCollisionObject*> bonds_;  // as they come to be
     std::vector<Stuck> stuck_, stuckBefore_;
 };

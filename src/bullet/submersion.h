@@ -32,6 +32,8 @@ class Submersion {
         nodes_.clear();
     }
 
+    /// Whether a depth of the node is known.
+    bool knows(std::size_t node) const { return isUnder_[node] != 0; }
     /// Nodes of which a depth is known.
     const std::vector<std::size_t>& nodes() const { return nodes_; }
     /// Of such a node, m below the surface.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "drench/wind.h"
+#include "node_arrays.h"
 #include "rigid_shelter.h"
 #include "vectors.h"
 
@@ -14,24 +15,12 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-constexpr double fastest = 1e6;  // m/s
+constexpr double fastest = 1e4;  // m/s
 constexpr std::size_t raysPerStep = 32;
 // Of patches in a sheet; small ones have fewer.
 constexpr std::size_t mostPatches = 256, leastNodes = 16;
 // In which the shelter follows what the rays say, s (assumed).
 constexpr double shelterTime = 0.3;
-
-Eigen::Map<const Eigen::Array4f, Eigen::Aligned16> arrayOf(const MovingNode& node) {
-    return Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>(&node.x);
-}
-
-MovingNode nodeOf(const Eigen::Array4f& array) {
-    return {array[0], array[1], array[2], array[3]};
-}
-
-MovingNode packed(const Eigen::Vector3d& vector) {
-    return {float(vector.x()), float(vector.y()), float(vector.z()), 0};
-}
 
 Eigen::Vector3d vector3Of(const MovingNode& node) {
     return {double(node.x), double(node.y), double(node.z)};
@@ -51,7 +40,7 @@ Eigen::Vector3d checkedVelocity(const WindField& field, const Eigen::Vector3d& p
     std::ostringstream message;
     message << "drench: the wind field in WetCloth::air().field has a velocity of (" << velocity.transpose()
             << ") m/s at (" << place.transpose() << ") m and " << time
-            << " s; return finite ones of at most 1e6 m/s";
+            << " s; return finite ones of at most 10000 m/s";
     throw std::runtime_error(message.str());
 }
 

@@ -41,12 +41,24 @@ std::array<Eigen::Vector3d, 2> sidesAcross(const Eigen::Vector3d& up) {
     return {first, second};
 }
 
-// Landau & Levich (1942): the film on a plate that is drawn out of a liquid, m.
-double drawnFilm(double speed, double gravity) {
-    const double capillaryLength = std::sqrt(waterSurfaceTension / (waterDensity * gravity));
+// Film on a face that moves through the surface, m: what Landau & Levich (1942) say of a plate that is drawn out
+// of a liquid. What would run off within the step is not drawn at all, or cloth grew heavy and light again: after
+// a time t there is (mu L / (rho g t))^1/2 at a length L below the upper edge (Jeffreys 1930).
+double drawnFilm(double speed, const SheetPose& sheet, double dt) {
+    const double weight = waterDensity * sheet.gravity;
+    const double capillaryLength = std::sqrt(waterSurfaceTension / weight);
     const double capillaryNumber = waterViscosity * speed / waterSurfaceTension;
-    const double thickness = 0.94 * capillaryLength * std::cbrt(capillaryNumber * capillaryNumber);
-    return std::clamp(thickness, retainedFilmThickness, thickestFilm);
+    const double drawn = 0.94 * capillaryLength * std::cbrt(capillaryNumber * capillaryNumber);
+    const double left = std::sqrt(waterViscosity * std::sqrt(sheet.totalArea) / (weight * dt));
+    return std::clamp(std::min(drawn, left), retainedFilmThickness, thickestFilm);
+}
+
+// Water reaches up to cloth as a meniscus does. What floats is in it, however high: thick cloth that is mostly
+// air floats higher. Cloth that bobs comes a little higher still.
+bool touches(double depth, double share, const SheetPose& sheet) {
+    constexpr double meniscus = 2.7e-3;  // m: the capillary length, (gamma / (rho g))^1/2 on earth (textbook)
+    constexpr double bobbing = 0.9;      // assumed
+    return depth > -meniscus || share > bobbing * sheet.floatingShare;
 }
 
 // What pores lack comes over the faces, from where the step takes it up at the pace of the fabric's wetting.
@@ -54,7 +66,7 @@ void wet(const SheetPose& sheet, std::size_t node, double dt, Supply& supply) {
     const double area = sheet.mesh.areas[node];
     const double missing = std::max(0.0, sheet.poreCapacity * area - sheet.poreMass[node]);
     const double soaking = missing * -std::expm1(-dt / sheet.wettingTime);
-    const double drawn = 2 * waterDensity * area * drawnFilm(sheet.velocities[node].norm(), sheet.gravity);
+    const double drawn = 2 * waterDensity * area * drawnFilm(sheet.velocities[node].norm(), sheet, dt);
     const double surplus = sheet.filmMass[node] - (drawn + soaking);
     // At rest, as the pool is: were it to come with the cloth's velocity, cloth that vibrates would gain energy.
     if (surplus < 0) supply.addFilm(node, -surplus, Eigen::Vector3d::Zero());
@@ -75,9 +87,9 @@ void Pool::supply(const SheetPose& sheet, double dt, Supply& supply) {
         const Eigen::Vector2d across(place.dot(sides[0]), place.dot(sides[1]));
         const bool inside = (across.array() >= from.array()).all() && (across.array() <= to.array()).all();
         if (!inside || !(sheet.mesh.areas[node] > 0)) continue;
-        const double depth = level - place.dot(sheet.up);
-        if (!(shareUnderWater(depth) > 0)) continue;
-        if (dt > 0) wet(sheet, node, dt, supply);
+        const double depth = level - place.dot(sheet.up), share = shareUnderWater(depth);
+        if (!(share > 0)) continue;
+        if (dt > 0 && touches(depth, share, sheet)) wet(sheet, node, dt, supply);
         supply.submerge(node, depth, Eigen::Vector3d::Zero());
     }
 }

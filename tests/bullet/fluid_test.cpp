@@ -233,6 +233,71 @@ TEST(Fluid, AHammockUnderWaterSagsByItsWeightThere) {
     EXPECT_GT(sag(1.1 * gravity * net / mass, false), 1.02 * inAir) << "sag tells weight";
 }
 
+/// Force of the water on soaked cloth that sinks until it is held, so long after that, over the lift alone.
+double forceAfterLanding(double substep, double time) {
+    SmallStepWorld rig;
+    const Fabric fabric = airtight();
+    btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabric, 0.5, 9, 0));
+    SheetSettings settings;
+    settings.stepping = Stepping::byApplication;
+    settings.waterSpeed = 0;
+    WetCloth& cloth = rig.cover(sheet, fabric, settings);
+    cloth.presoak(soaking(fabric));
+    cloth.add(Pool(100));
+    double force = 0;
+    const int landing = static_cast<int>(std::lround(2 / substep));
+    const int last = landing + static_cast<int>(std::lround(time / substep));
+    for (int i = 0; i <= last; ++i) {
+        cloth.preSubstep(btScalar(substep));
+        force = 0;
+        for (int n = 0; n < sheet.m_nodes.size(); ++n) {
+            btSoftBody::Node& node = sheet.m_nodes[n];
+            force += double(node.m_f.y());
+            node.m_v += (node.m_f * node.m_im + rig.info().m_gravity) * btScalar(substep);
+            if (i >= landing) node.m_v.setZero();
+            node.m_f.setZero();
+        }
+    }
+    return force / (0.25 * displacedBy(fabric) * gravity);
+}
+
+TEST(Fluid, ClothThatLandsHasItsWholeWeightSoon) {
+    const Fabric fabric = airtight();
+    const double weight = (0.150 + soaking(fabric)) / displacedBy(fabric);
+    for (const double substep : {1.0 / 240, 1.0 / 60, 1.0 / 30}) {
+        EXPECT_NEAR(forceAfterLanding(substep, 0), weight, 0.02 * (weight - 1)) << "while it sinks";
+        EXPECT_NEAR(forceAfterLanding(substep, 0.8), 1, 0.1 * (weight - 1)) << substep;
+        EXPECT_NEAR(forceAfterLanding(substep, 2), 1, 1e-3) << substep;
+    }
+}
+
+TEST(Fluid, AHammockThatIsPulledThroughTheWaterFlattensOnceItStops) {
+    for (const double frameTime : {1.0 / 240, 1.0 / 60, 1.0 / 30}) {
+        SmallStepWorld rig({20, 0.01});
+        const Fabric fabric = airtight();
+        btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabric, 0.4, 9, 0));
+        for (int n = 0; n < 81; ++n)
+            if (n % 9 == 0 || n % 9 == 8 || n < 9 || n >= 72) sheet.m_nodes[n].m_im = 0;
+        SheetSettings settings;
+        settings.waterSpeed = 0;
+        WetCloth& cloth = rig.cover(sheet, fabric, settings);
+        cloth.presoak(soaking(fabric));
+        cloth.add(Pool(10));
+        const auto sagAfter = [&](double time, double pull) {
+            for (int i = 0; i < std::lround(time / frameTime); ++i) {
+                for (int n = 0; n < 81; ++n)
+                    if (sheet.m_nodes[n].m_im == 0)
+                        sheet.m_nodes[n].m_x += btVector3(0, btScalar(pull * frameTime), 0);
+                rig.run(frameTime, frameTime);
+            }
+            return double(sheet.m_nodes[0].m_x.y() - sheet.m_nodes[40].m_x.y());
+        };
+        const double before = sagAfter(2, 0), pulled = sagAfter(1, 1);
+        EXPECT_GT(pulled, 3 * before) << frameTime;
+        EXPECT_NEAR(sagAfter(2, 0), before, 0.05 * before) << frameTime;
+    }
+}
+
 TEST(Fluid, SubmergingRefusesWhatMakesNoSense) {
     Weightless sheet(airtight());
     Supply& lake = sheet.rig.cloth().account("lake");

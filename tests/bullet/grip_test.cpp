@@ -206,6 +206,30 @@ TEST(Grip, WetClothHangsOnWetCloth) {
     EXPECT_GT(fallFromCloth(5, false, true), 0.5);
 }
 
+TEST(Grip, ClothSlidesOnClothAsOnAPlate) {
+    for (const double friction : {0.0, 0.2}) {
+        const Fabric fabric = fabrics::cottonPlain();
+        test::SmallStepWorld rig;
+        btSoftBody& lower = rig.add(test::levelSheet(rig.info(), fabric, 1, 41, 0));
+        for (int n = 0; n < lower.m_nodes.size(); ++n) lower.m_nodes[n].m_im = 0;
+        btSoftBody& upper = rig.add(test::levelSheet(rig.info(), fabric, 0.2, 17, 0));
+        const btQuaternion slope({0, 0, 1}, btScalar(slopeAngle));
+        const btScalar apart =
+            lower.getCollisionShape()->getMargin() + upper.getCollisionShape()->getMargin();
+        lower.transform(btTransform(slope, {0, 0, 0}));
+        upper.transform(btTransform(slope, quatRotate(slope, {btScalar(0.3), apart, 0})));
+        for (btSoftBody* body : {&lower, &upper}) {
+            body->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
+            body->m_cfg.kDF = btScalar(friction);
+            rig.cover(*body, fabric, test::withoutAir());
+        }
+        rig.run(0.4);
+        const btVector3 down = quatRotate(slope, {-1, 0, 0});
+        const double speed = double(test::momentum(upper).dot(down)) / test::mass(upper);
+        EXPECT_NEAR(speed / (0.2 * slidingSpeed(friction)), 1, 0.05) << friction;
+    }
+}
+
 /// How far a piece of cloth on a ball has got from the place on the ball where it lay, after the ball has turned upside
 /// down and further about a level axis, m.
 double leftBehind(double shareOfSaturation) {

@@ -233,5 +233,57 @@ TEST(PoolWorld, FloatingClothGoesToSleepWhereTheWorldLetsItAndSinksAfterAll) {
     EXPECT_LT(meanHeight(*stage.sheet), -0.02);
 }
 
+TEST(PoolWorld, ALevelThatRisesOrFallsWakesWhatSleepsInIt) {
+    for (const double change : {0.3, -0.3}) {
+        UnderWater stage(Kind::implicitSteps, fabrics::cottonPlain(), 0, false);
+        stage.cloth.reset();
+        SheetSettings settings;
+        settings.waterSpeed = 0;  // so that nothing gets heavier
+        stage.cloth =
+            std::make_unique<WetCloth>(stage.world->world(), *stage.sheet, fabrics::cottonPlain(), settings);
+        auto pool = std::make_unique<Pool>(0);
+        Pool& water = *pool;
+        stage.cloth->add(std::move(pool));
+        stage.run(6, 1.0 / 60);
+        ASSERT_FALSE(stage.sheet->isActive());
+        EXPECT_NEAR(meanHeight(*stage.sheet), 0, 0.01);
+        water.level = change;
+        stage.run(3, 1.0 / 60);
+        EXPECT_NEAR(meanHeight(*stage.sheet), change, 0.02);
+        stage.run(6, 1.0 / 60);
+        EXPECT_FALSE(stage.sheet->isActive()) << "and it sleeps again";
+    }
+}
+
+TEST(PoolWorld, ThickPileThatFloatsHighSoaksAndSinks) {
+    SmallStepWorld rig;
+    Fabric pile = fabrics::cottonPlain();
+    pile.arealDensity = 0.4;
+    pile.thickness = 3e-3;
+    btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), pile, 0.3, 7, 0.02));
+    rig.cover(sheet, pile).add(Pool(0));
+    rig.run(2);
+    EXPECT_GT(meanHeight(sheet), -0.01);
+    rig.run(12);
+    EXPECT_LT(meanHeight(sheet), -0.03);
+}
+
+TEST(PoolWorld, ARuffledSheetComesToRestAlsoInWaterOfAFasterTime) {
+    for (const double waterSpeed : {100.0, 1000.0})
+        for (const double level : {-0.05, 0.01}) {
+            SmallStepWorld rig;
+            const Fabric fabric = fabrics::cottonPlain();
+            btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabric, 0.3, 9));
+            SheetSettings settings;
+            settings.waterSpeed = waterSpeed;
+            WetCloth& cloth = rig.cover(sheet, fabric, settings);
+            cloth.presoak(fabric.poreCapacity());
+            cloth.add(Pool(level));
+            for (int n = 9; n < 81; ++n) sheet.m_nodes[n].m_v.setZ(n % 2 == 0 ? 1 : -1);
+            rig.run(2, 1.0 / 30);
+            EXPECT_LT(test::fastest(sheet), 0.02) << waterSpeed << ", " << level;
+        }
+}
+
 }  // namespace
 }  // namespace drench

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "drench/water.h"
@@ -53,6 +54,18 @@ TEST(Pool, DrawsTheFilmOfLandauAndLevich) {
         Pool pool(0.1);
         run(pool, cloth, 0.01, 3);
         EXPECT_NEAR(cloth.film() / (2 * waterDensity), given.thickness, given.tolerance) << given.speed;
+    }
+}
+
+TEST(Pool, DrawsNoFilmThatRunsOffWithinTheStep) {
+    // (0.001 Pa s x 1 m / (1000 kg/m3 x 9.81 m/s2 x dt))^1/2: 101 um after 10 s.
+    for (const auto& [dt, thickness] : {std::pair{10.0, 100.7e-6}, {1000.0, retainedFilmThickness}}) {
+        Cloth cloth(1, 4);
+        cloth.fill();
+        for (Vector3d& velocity : cloth.velocities) velocity = {0, 1, 0};
+        Pool pool(0.1);
+        run(pool, cloth, dt, 3);
+        EXPECT_NEAR(cloth.film() / (2 * waterDensity), thickness, 0.6e-6) << dt;
     }
 }
 
@@ -143,18 +156,29 @@ TEST(Pool, CoversANodeSmoothlyFromOneCentimetreAboveItsLevelToOneBelow) {
     }
 }
 
-TEST(Pool, WetsWhateverItTouches) {
-    for (const double level : {-0.0099, 0.0, 0.005}) {
-        Cloth cloth(1, 4);
-        Pool pool(level);
-        run(pool, cloth, 0.5, 1);
-        for (std::size_t node = 0; node < cloth.mesh.size(); ++node) {
-            EXPECT_GT(cloth.submerged[node], 0);
-            const double film = 2 * waterDensity * retainedFilmThickness + 0.3 * -std::expm1(-0.25);
-            EXPECT_NEAR(cloth.filmMass[node], film * cloth.mesh.areas[node], 1e-12);
-            EXPECT_EQ(cloth.covered[node], 1);
-        }
-    }
+/// Film of a level cloth of that floating share above a level, kg/m2.
+double filmAbove(double height, double floatingShare) {
+    Cloth cloth(1, 4);
+    cloth.floatingShare = floatingShare;
+    Pool pool(-height);
+    run(pool, cloth, 0.5, 1);
+    EXPECT_GT(cloth.submerged[0], 0);
+    for (std::size_t node = 0; node < cloth.mesh.size(); ++node)
+        EXPECT_EQ(cloth.covered[node], cloth.filmMass[node] > 0 ? 1 : 0);
+    return cloth.film();
+}
+
+TEST(Pool, WetsAsHighAsAMeniscusAndWhatFloats) {
+    const double film = 2 * waterDensity * retainedFilmThickness + 0.3 * -std::expm1(-0.25);
+    const double capillaryLength = std::sqrt(waterSurfaceTension / (waterDensity * 9.81));
+    EXPECT_NEAR(capillaryLength, 2.7e-3, 0.05e-3);
+    for (const double height : {-0.02, 0.0, 0.9 * capillaryLength})
+        EXPECT_NEAR(filmAbove(height, 0.5), film, 1e-12) << height;
+    for (const double height : {1.1 * capillaryLength, 0.0099})
+        EXPECT_EQ(filmAbove(height, 0.5), 0) << height;
+    // Thick cloth that is mostly air floats higher: with a seventh under water at 5.4 mm.
+    EXPECT_NEAR(filmAbove(0.0054, 1.0 / 7), film, 1e-12);
+    EXPECT_EQ(filmAbove(0.0060, 1.0 / 7), 0);
 }
 
 TEST(Pool, CarriesClothAlsoWhileWaterTimeStandsStill) {

@@ -42,7 +42,7 @@ struct Cloth final : Supply {
     std::vector<std::vector<int>> trianglesAround;
     std::vector<double> poreMass, filmMass, covered, submerged;
     std::vector<Eigen::Vector3d> arrivals;  ///< velocities of what came with one
-    double poreCapacity = 0.3, wettingTime = 2, gravity = 9.81;
+    double poreCapacity = 0.3, wettingTime = 2, gravity = 9.81, floatingShare = 1;
     Eigen::Vector3d up = {0, 1, 0};
     CountingShelter shelter;
     double taken = 0;
@@ -94,7 +94,8 @@ struct Cloth final : Supply {
                 gravity,
                 std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0),
                 shelter,
-                nullptr};
+                nullptr,
+                floatingShare};
     }
     void move(const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& to) {
         for (Eigen::Vector3d& place : positions) place = to(place);

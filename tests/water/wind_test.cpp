@@ -199,5 +199,17 @@ TEST(Air, RefusesAShelterLengthOutOfRange) {
     }
 }
 
+TEST(Air, RefusesAWindThatIsNotOfThisEarth) {
+    Air air;
+    air.wind = {6000, 0, -8000};
+    EXPECT_EQ(refusal([&] { validate(air); }), "");
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const Vector3d& bad : {Vector3d(0, 1.01e4, 0), Vector3d(1e19, 0, 0), Vector3d(0, 0, 1e300),
+                                Vector3d(0, nan, 0), Vector3d(HUGE_VAL, 0, 0)}) {
+        air.wind = bad;
+        EXPECT_NE(refusal([&] { validate(air); }).find("air wind is ("), std::string::npos) << bad;
+    }
+}
+
 }  // namespace
 }  // namespace drench
