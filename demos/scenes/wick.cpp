@@ -22,7 +22,7 @@ constexpr double waterSpeed = 60;
 constexpr int mostSubsteps = 4;          // the frame holds the strip, so that nothing moves fast
 constexpr double frontLevel = 0.1;       // saturation that counts as wet
 constexpr double finestNeeded = 5.1e-3;  // m, node spacing up to which heights compare with the reference
-constexpr double tolerance = 0.1;        // of heights against the reference
+constexpr double tolerance = 0.12;       // of heights against the reference, whose foot is always full
 constexpr double fitFrom = 0.01, fitTo = 0.05;  // m, heights of the early rise
 
 /// Heights that a fine one-dimensional solution of the same equations gives for cotton (docs/water.md).

@@ -1,6 +1,8 @@
 // Two sheets that Bullet's own solvers move: contact, wet friction and cling between them.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
 #include <string>
 
 #include "deformable_world.h"
@@ -108,20 +110,20 @@ class TwoSheets {
 
 class ClothOnCloth : public testing::TestWithParam<Path> {};
 
-/// How far a piece of cloth under another one like it, which is held everywhere, has come down after half a second, m.
+/// How far a piece of cloth under another one like it, which is held everywhere, has come down after 0.4 s, m.
 /// Their nodes face each other, so that bonds and weights go together at the borders too.
 double fall(Path path, double clingOverWeight, double saturationAbove, double saturationBelow) {
     TwoSheets rig(path, test::cottonThatClings(clingOverWeight), 0.02, 6, 6);
     rig.hold(rig.upper());
     const double start = test::lowest(rig.lower());
     rig.begin(saturationAbove, saturationBelow);
-    rig.run(0.5);
+    rig.run(0.4);
     return start - test::lowest(rig.lower());
 }
 
 TEST_P(ClothOnCloth, WetClothHangsOnWetClothWhileItsBondExceedsItsWeight) {
     EXPECT_LT(fall(GetParam(), 1.2, 0.6, 0.6), 2e-3);
-    EXPECT_GT(fall(GetParam(), 0.8, 0.6, 0.6), 0.3);
+    EXPECT_GT(fall(GetParam(), 0.8, 0.6, 0.6), 0.2);
     EXPECT_GT(fall(GetParam(), 5, 0.6, 0), 0.5);
     EXPECT_GT(fall(GetParam(), 5, 0, 0.6), 0.5);
     EXPECT_GT(fall(GetParam(), 5, 0.6, 4), 0.5) << "dripping";
@@ -172,7 +174,7 @@ TEST_P(ClothOnCloth, ASheetWhoseWetClothIsGoneHoldsNothing) {
 double slowed(Path path, double saturation) {
     Fabric fabric = fabrics::cottonPlain();
     fabric.clingEnergy = 0;
-    TwoSheets rig(path, fabric, 0.02, 6, 21);
+    TwoSheets rig(path, fabric, 0.02, 6, 13);
     rig.hold(rig.lower());
     rig.begin(saturation, saturation);
     rig.run(0.1);
@@ -208,8 +210,9 @@ TEST_P(ClothOnCloth, ASheetLiesOnOneThatLiesOnAFloor) {
     rig.begin(0, 0);
     rig.run(0.3);
     EXPECT_GT(test::lowest(rig.lower()), double(floor));
-    EXPECT_NEAR(double(test::centre(rig.upper()).y()), 0, 0.3 * double(rig.margin()));
-    EXPECT_GT(test::lowest(rig.upper()), -0.5 * double(rig.margin()));
+    // Of the 2 margins of distance; implicit steps press them together the most.
+    EXPECT_NEAR(double(test::centre(rig.upper()).y()), 0, 0.5 * double(rig.margin()));
+    EXPECT_GT(test::lowest(rig.upper()), -0.8 * double(rig.margin()));
 }
 
 std::string nameOf(const testing::TestParamInfo<Path>& info) {

@@ -72,6 +72,30 @@ TEST(SmallStepTouch, ASheetRestsOnAPatchThatBulletMovesAndWeighsOnIt) {
     EXPECT_GT(sagOfPatch(true), sagOfPatch(false) + 0.002);
 }
 
+TEST(SmallStepTouch, ASheetAndAPatchThatBulletMovesKeepTheirMomentum) {
+    for (const double water : {0.0, 0.13}) {
+        test::SmallStepWorld rig;
+        rig.setGravity({0, 0, 0});
+        std::unique_ptr<btSoftBody> made = test::patch(rig.info());
+        made->translate({0, -1, 0});
+        made->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
+        made->setTotalMass(btScalar(0.05));
+        for (int n = 0; n < made->m_nodes.size(); ++n)
+            if (!(made->m_nodes[n].m_im > 0)) made->m_nodes[n].m_im = 1 / btScalar(0.05 / 289);
+        btSoftBody& patch = rig.add(std::move(made));
+        btSoftBody& sheet = rig.add(touchingSheet(rig.info(), 0.3, 12, 0.03));
+        WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain(), test::withoutAir());
+        cloth.presoak(water);
+        cloth.preSubstep(btScalar(1e-6));
+        test::setVelocity(sheet, {0, btScalar(-0.5), 0});
+        const btVector3 before = momentum(sheet) + momentum(patch);
+        rig.run(0.5);
+        EXPECT_GT(double(momentum(patch).length()), 0.1 * double(before.length())) << "they have not met";
+        const btVector3 change = momentum(sheet) + momentum(patch) - before;
+        EXPECT_LT(double(change.length()), 0.01 * double(before.length())) << water << " kg/m2";
+    }
+}
+
 /// Mean strain of a hanging square metre of cotton at rest in so many steps.
 double strainAtRest(int nodes, int steps, bool tethers, double stretch) {
     Fabric fabric = fabrics::cottonPlain();

@@ -189,6 +189,19 @@ struct Slot : btDynamicsWorld {
     }
 };
 
+TEST(StockContact, ASheetThatLiesMayBeMovedByTheApplication) {
+    for (const double saturation : {0.0, 0.6}) {
+        WetContactRig rig(stockWorld(), nodes, fabrics::cottonPlain());
+        rig.world().addGround(-rig.margin());
+        rig.cover(saturation);
+        rig.run(0.2, substeps);
+        const btVector3 from = test::centre(rig.sheet());
+        rig.sheet().translate({1, 0, 0});
+        rig.run(0.05, substeps);
+        EXPECT_NEAR(double((test::centre(rig.sheet()) - from).x()), 1, 1e-3) << saturation;
+    }
+}
+
 TEST(PostTick, TheApplicationsCallbackAndUserInfoGoOnWorking) {
     WetContactRig rig(stockWorld(), nodes, fabrics::cottonPlain());
     Application application;
