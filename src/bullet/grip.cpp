@@ -31,9 +31,7 @@ Grip::Grip(const Fabric& fabric, const ClothMesh& mesh)
              surfaceOf(fabric, SurfaceKind::rough)},
       reach_(std::clamp(nodeDistance(mesh), shortestReach, longestReach)),
       areas_(mesh.areas),
-      saturations_(mesh.size(), 0.0),
-      filmThicknesses_(mesh.size(), 0.0),
-      bonds_(mesh.size(), 0.0) {}
+      clings_(fabric.clingEnergy > 0) {}
 
 void Grip::setSurface(const btCollisionObject& solid, const Surface& surface) {
     validate(surface);
@@ -55,14 +53,8 @@ double Grip::frictionRatio(std::size_t node) const {
     return plate.frictionDry > 0 ? friction(plate, node) / plate.frictionDry : 1;
 }
 
-void Grip::evaluate(const WetLaws& laws, const Moisture& moisture) {
-    clings_ = false;
-    for (std::size_t n = 0; n < areas_.size(); ++n) {
-        saturations_[n] = moisture.saturation(n);
-        filmThicknesses_[n] = moisture.filmThickness(n);
-        bonds_[n] = laws.clingEnergy(saturations_[n], filmThicknesses_[n]) / reach_ * areas_[n];
-        clings_ = clings_ || bonds_[n] > 0;
-    }
+double Grip::bondTraction(std::size_t node) const {
+    return laws_->clingEnergy(moisture_->saturation(node), moisture_->filmThickness(node)) / reach_;
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

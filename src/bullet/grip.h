@@ -41,24 +41,29 @@ class Grip {
     /// @param kDF  the sheet's m_cfg.kDF
     Surface surfaceAt(const btCollisionObject& solid, btScalar kDF) const;
 
-    /// Reads the water.
-    void evaluate(const WetLaws& laws, const Moisture& moisture);
+    /// Says by what water to answer from now on; nodes are looked at when they are asked for, as few touch anything.
+    /// @param laws, moisture  stay where they are
+    void evaluate(const WetLaws& laws, const Moisture& moisture) {
+        laws_ = &laws;
+        moisture_ = &moisture;
+    }
 
+    // @pre `evaluate`
     /// Friction coefficient of a node on a surface, 1.
     double friction(const Surface& surface, std::size_t node) const {
-        return frictionCoefficient(surface, saturations_[node], filmThicknesses_[node]);
+        return frictionCoefficient(surface, moisture_->saturation(node), moisture_->filmThickness(node));
     }
     /// Force of the bond of a node, per wettability, N.
-    double bond(std::size_t node) const { return bonds_[node]; }
+    double bond(std::size_t node) const { return bondTraction(node) * areas_[node]; }
     /// Where bonds break, m.
     double reach() const { return reach_; }
-    /// Whether any node would cling.
+    /// Whether the cloth would cling if it were wet.
     bool clings() const { return clings_; }
 
     /// By how much water changes the friction of a node with other cloth, 1: as on a plate.
     double frictionRatio(std::size_t node) const;
     /// Energy of the bond of a node per reach, N/m2.
-    double bondTraction(std::size_t node) const { return areas_[node] > 0 ? bonds_[node] / areas_[node] : 0; }
+    double bondTraction(std::size_t node) const;
     double area(std::size_t node) const { return areas_[node]; }
 
     // What each node is bonded to, by its address alone; none for no bond. Cloth has two faces.
@@ -72,11 +77,9 @@ class Grip {
     double reach_;                  // m
     std::vector<double> areas_;
     std::map<const btCollisionObject*, Surface> surfaces_;
-    bool clings_ = false;
-    // Of each node, as of this substep.
-    std::vector<double> saturations_;
-    std::vector<double> filmThicknesses_;  // m
-    std::vector<double> bonds_;            // N
+    bool clings_;
+    const WetLaws* laws_ = nullptr;
+    const Moisture* moisture_ = nullptr;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -87,11 +87,11 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
     const SurfacePoint surface =
         with.isTriangle ? nearestOnTriangle(with.shape, with.transform, node.m_x)
                         : nearestSurface(with.shape, with.transform, node.m_x, body.m_worldInfo->m_sparsesdf);
-    // Its neighbours may pull a node on further than it would go by itself: as far as any of the sheet goes.
+    // Its neighbours may pull a node on further than it would go by itself, towards where they go.
     const btVector3 approach = reach - ownMotion(with.object, node.m_x, with.substep);
     const bool isBonded = with.grip.bondedTo[n] == &with.object;
     const btScalar slack =
-        with.margin + std::max(approach.length(), sheet.farthestReach()) + (isBonded ? reach_ : 0);
+        with.margin + std::max(approach.length(), sheet.farthestReach() / 2) + (isBonded ? reach_ : 0);
     if (surface.distance > with.margin + slack + std::max(btScalar(0), -approach.dot(surface.normal))) return;
 
     const Place place{with.solid,
