@@ -112,7 +112,7 @@ struct SheetHealth {
 /// does not come by itself. Of m_cfg that world heeds kDF, kKHR, kCHR and, in explicit steps, drag (the share
 /// of velocity lost in a substep), and neither kDP nor timescale. Explicit steps (its default) must not be
 /// longer than `stepBound`, and are refused if they are. Implicit ones (setImplicit and setUseProjection, both) may
-/// be as long as 1/60 s for a sheet that hangs free and 1/240 s for one that touches something. In single precision
+/// be as long as 1/60 s for a sheet that hangs in still air and 1/240 s for one in wind or that touches something. In single precision
 /// Bullet's solver stops early, and an implicit substep dt loses up to some 1e-3 k dt^2 / m of the momentum of
 /// a blow, such as a big drop, to a node of mass m.
 ///
