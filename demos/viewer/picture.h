@@ -6,10 +6,14 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace drench::viewer {
+
+// How the threads of a cloth run.
+enum class Weave { plain, twill, knit };
 
 // A two-sided cloth surface; the renderer computes its normals. A sheet without triangles, or with a position
 // that is not finite or lies more than 100 km out, is left out of the picture.
@@ -22,8 +26,15 @@ struct SheetMesh {
     std::vector<float> gloss;
     // Three node indices each, wound alike over the whole sheet.
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    // Where each node lies in the flat cloth, for a faint weave; as many as positions, or empty for no weave.
+    // Share of the light that passes through each node, 0 to 1; as many as positions, or empty for none.
+    std::vector<float> transmittance;
+    // Where each node lies in the flat cloth, metres, for its threads; as many as positions, or empty for none.
     std::vector<Eigen::Vector2f> clothCoordinates;
+    Weave weave = Weave::plain;
+    // From one thread to the next, above 0.
+    float threadSpacing = 0.5e-3f;
+    // What each node has of the quantity of the picture's legend; as many as positions, or empty for none.
+    std::vector<float> values;
 };
 
 // A striped ball.
@@ -66,6 +77,52 @@ struct Water {
     float time = 0.0f;
 };
 
+// A drop in flight: a clear ball, drawn out along its way by the time that the picture is exposed.
+struct WaterDrop {
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+    // Metres a second.
+    Eigen::Vector3f velocity = Eigen::Vector3f::Zero();
+    // Above 0.
+    float radius = 0.002f;
+};
+
+// Something too quick or too small to be seen by itself, such as a drop of rain: a faint line.
+struct Streak {
+    Eigen::Vector3f from = Eigen::Vector3f::Zero();
+    Eigen::Vector3f to = Eigen::Vector3f::Zero();
+    // Across, metres, above 0.
+    float width = 0.001f;
+    // 0 (not there) to 1.
+    float opacity = 0.3f;
+};
+
+// A cloud of droplets, densest in its middle.
+struct MistPuff {
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+    // Above 0.
+    float radius = 0.05f;
+    // Share of the light that its middle takes, 0 to 1.
+    float density = 0.1f;
+};
+
+// A wet place on the ground or on a ball, rod or box: what lies within the radius is wet.
+struct WetPatch {
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+    // Above 0.
+    float radius = 0.01f;
+    // 0 (dry) to 1 (dark and glossy).
+    float wetness = 1.0f;
+};
+
+// What the colours of a picture of a quantity mean; they run evenly from one value to the other.
+struct Legend {
+    // With its unit: "water content, kg/kg".
+    std::string title;
+    float from = 0.0f;
+    // Above `from`.
+    float to = 1.0f;
+};
+
 // A perspective camera that circles round the point it looks at.
 struct Camera {
     // The point in the middle of the picture.
@@ -104,11 +161,17 @@ struct Picture {
     std::vector<Rod> rods;
     std::vector<Box> boxes;
     std::vector<Water> waters;
+    std::vector<WaterDrop> drops;
+    std::vector<Streak> streaks;
+    std::vector<MistPuff> mist;
+    std::vector<WetPatch> patches;
     // Height of the level ground; it is seen from above only.
     float groundHeight = 0.0f;
     // Points from the scene to the sun; any length above 0.
     Eigen::Vector3f towardsSun = Eigen::Vector3f(-0.62f, 0.75f, 0.50f);
     Camera camera;
+    // Shows the values of the sheets in colours in place of their own looks.
+    std::optional<Legend> legend;
     // Lines of UTF-8 text, written from the top left corner downwards; long lines are wrapped.
     std::vector<std::string> caption;
     // The same along the lower edge.
