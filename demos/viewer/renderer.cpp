@@ -89,17 +89,18 @@ class Renderer::Scene {
 std::vector<Eigen::Vector3f> Renderer::Scene::upload(const Picture& picture) {
     std::vector<Eigen::Vector3f> casters;
     solids_.upload(picture, casters);
-    sheets_.upload(picture.sheets, casters);
+    sheets_.upload(picture, casters);
     waters_.upload(picture.waters);
     return casters;
 }
 
 void Renderer::Scene::drawShadows(const FrameUniforms& uniforms) const {
-    shadow_.bind();
-    glClear(GL_DEPTH_BUFFER_BIT);
     frameBlock_.bind(uniforms);
+    shadow_.begin();
+    // Solids first: what lies behind one of them lets no sun through, sheet or not.
     solids_.drawShadows();
     sheets_.drawShadows();
+    shadow_.end();
 }
 
 void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
@@ -110,7 +111,10 @@ void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
     solids_.draw();
     const bool groundIsSeen = uniforms.eye[1] > uniforms.ground[0];
     background_.draw(groundIsSeen);
-    sheets_.draw();
+    if (!sheets_.empty()) {
+        target_->resolveForBlurredLookup();
+        sheets_.draw();
+    }
     if (!waters_.empty()) {
         target_->resolveForLookup();
         waters_.draw();
@@ -144,8 +148,8 @@ void Renderer::Scene::draw(const Picture& picture, int width, int height, unsign
     resize(width, height);
     const std::vector<Eigen::Vector3f> casters = upload(picture);
     const ShadowFit shadow = fitShadow(casters, picture.towardsSun.normalized(), shadow_.resolution());
-    const float aspect = static_cast<float>(width) / static_cast<float>(height);
-    const FrameUniforms uniforms = cameraUniforms(picture, drawableBalls(picture.balls), aspect, shadow);
+    const FrameUniforms uniforms =
+        cameraUniforms(picture, drawableBalls(picture.balls), width, height, shadow);
 
     setPlainState();
     drawShadows(sunUniforms(uniforms, shadow));

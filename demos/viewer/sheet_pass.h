@@ -14,11 +14,12 @@ class SheetPass {
     // Needs a current OpenGL context; throws as ShaderProgram does.
     SheetPass();
 
-    // Replaces the sheets and adds the positions of those that can be drawn to `casters`. Throws as sheetSurface does.
-    void upload(const std::vector<SheetMesh>& sheets, std::vector<Eigen::Vector3f>& casters);
+    // Replaces the sheets by those of the picture, and adds the positions of those that can be drawn to `casters`. Throws as sheetSurface does.
+    void upload(const Picture& picture, std::vector<Eigen::Vector3f>& casters);
+    bool empty() const { return count_ == 0; }
     // Draws into the bound shadow map.
     void drawShadows() const;
-    // Draws into the bound scene.
+    // Draws into the bound scene, over what is resolved for lookup.
     void draw() const;
 
   private:

@@ -1,6 +1,7 @@
 #include "viewer/solid_pass.h"
 
 #include "viewer/shaders_lighting.h"
+#include "viewer/shaders_shadow.h"
 #include "viewer/shaders_solids.h"
 
 namespace drench::viewer {
@@ -14,7 +15,7 @@ ShaderProgram lit(const char* name, const char* vertex, const char* fragment) {
 }
 
 ShaderProgram shadow(const char* name, const char* vertex) {
-    return {name, {shaders::frame, vertex}, {shaders::depthFragment}};
+    return {name, {shaders::frame, vertex}, {shaders::solidShadowFragment}};
 }
 
 void addCorners(std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& centre, float radius) {
