@@ -1,5 +1,6 @@
 #include "viewer/renderer.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -61,8 +62,8 @@ class Renderer::Scene {
   public:
     Scene() = default;
 
-    void draw(const Picture& picture, int width, int height, unsigned framebuffer);
-    Image capture(const Picture& picture, int width, int height);
+    void draw(const Picture& picture, const Area& area, unsigned framebuffer);
+    void drawPair(const Picture& left, const Picture& right, int width, int height, unsigned framebuffer);
     int glErrors() const { return errors_.count(); }
 
   private:
@@ -71,7 +72,7 @@ class Renderer::Scene {
     std::vector<Eigen::Vector3f> upload(const Picture& picture);
     void drawShadows(const FrameUniforms& uniforms) const;
     void drawScene(const FrameUniforms& uniforms) const;
-    void present(unsigned framebuffer, int width, int height) const;
+    void present(unsigned framebuffer, const Area& area) const;
 
     GlErrorCount errors_;
     FrameBlock frameBlock_;
@@ -122,10 +123,10 @@ void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
     shadow_.unbind();
 }
 
-void Renderer::Scene::present(unsigned framebuffer, int width, int height) const {
+void Renderer::Scene::present(unsigned framebuffer, const Area& area) const {
     target_->resolve();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, width, height);
+    glViewport(area.x, area.y, area.width, area.height);
     glDisable(GL_DEPTH_TEST);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, target_->texture());
@@ -143,26 +144,33 @@ void Renderer::Scene::resize(int width, int height) {
     }
 }
 
-void Renderer::Scene::draw(const Picture& picture, int width, int height, unsigned framebuffer) {
+void Renderer::Scene::draw(const Picture& picture, const Area& area, unsigned framebuffer) {
     requireDrawable(picture);
-    resize(width, height);
+    resize(area.width, area.height);
     const std::vector<Eigen::Vector3f> casters = upload(picture);
     const ShadowFit shadow = fitShadow(casters, picture.towardsSun.normalized(), shadow_.resolution());
     const FrameUniforms uniforms =
-        cameraUniforms(picture, drawableBalls(picture.balls), width, height, shadow);
+        cameraUniforms(picture, drawableBalls(picture.balls), area.width, area.height, shadow);
 
     setPlainState();
     drawShadows(sunUniforms(uniforms, shadow));
     drawScene(uniforms);
-    present(framebuffer, width, height);
-    caption_.draw(picture.caption, width, height, picture.captionBelow);
+    present(framebuffer, area);
+    caption_.draw(picture, area);
     errors_.poll();
 }
 
-Image Renderer::Scene::capture(const Picture& picture, int width, int height) {
-    const ImageTarget target(width, height);
-    draw(picture, width, height, target.framebuffer());
-    return target.read();
+void Renderer::Scene::drawPair(const Picture& left, const Picture& right, int width, int height,
+                               unsigned framebuffer) {
+    const AreaPair areas = sideBySide(width, height);
+    draw(left, areas.left, framebuffer);
+    draw(right, areas.right, framebuffer);
+    // The line between them.
+    constexpr std::array<float, 4> paleGrey{0.85f, 0.85f, 0.85f, 1.0f};
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(areas.left.width, 0, areas.right.x - areas.left.width, height);
+    glClearBufferfv(GL_COLOR, 0, paleGrey.data());
+    glDisable(GL_SCISSOR_TEST);
 }
 
 Renderer::Renderer() {
@@ -173,13 +181,32 @@ Renderer::Renderer() {
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const Picture& picture, int width, int height, unsigned framebuffer) {
-    if (width > 0 && height > 0) {
-        scene_->draw(picture, width, height, framebuffer);
+    draw(picture, {0, 0, width, height}, framebuffer);
+}
+
+void Renderer::draw(const Picture& picture, const Area& area, unsigned framebuffer) {
+    if (area.width > 0 && area.height > 0) {
+        scene_->draw(picture, area, framebuffer);
+    }
+}
+
+void Renderer::drawPair(const Picture& left, const Picture& right, int width, int height,
+                        unsigned framebuffer) {
+    if (sideBySide(width, height).left.width > 0) {
+        scene_->drawPair(left, right, width, height, framebuffer);
     }
 }
 
 Image Renderer::capture(const Picture& picture, int width, int height) {
-    return scene_->capture(picture, width, height);
+    const ImageTarget target(width, height);
+    draw(picture, width, height, target.framebuffer());
+    return target.read();
+}
+
+Image Renderer::capturePair(const Picture& left, const Picture& right, int width, int height) {
+    const ImageTarget target(width, height);
+    drawPair(left, right, width, height, target.framebuffer());
+    return target.read();
 }
 
 int Renderer::glErrors() const {

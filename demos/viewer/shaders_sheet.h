@@ -84,6 +84,16 @@ float fuzz(vec3 normal, vec3 towardsEye, float facingSun, float facingEye) {
     return density / (4.0 * (facingSun + facingEye - facingSun * facingEye) + 1e-3);
 }
 
+// The layer of Kubelka and Munk with the absorption that its albedo tells, of a transmittance that is without any.
+vec3 passingDye(vec3 albedo, float transmittance) {
+    // Scattered light takes a longer way through the dye than straight across.
+    float scattering = 2.0 * (1.0 / max(transmittance, 1e-3) - 1.0);
+    vec3 a = 1.0 + (1.0 - albedo) * (1.0 - albedo) / (2.0 * max(albedo, 1e-3));
+    vec3 b = sqrt(a * a - 1.0) + 1e-4;
+    vec3 grown = exp(min(b * scattering, 40.0));
+    return 2.0 * b / ((a + b) * grown + (b - a) / grown);
+}
+
 struct Cloth {
     vec3 position;
     // With threads and creases, and of the film over them.
@@ -102,13 +112,13 @@ struct Cloth {
 vec3 diffuseLight(Cloth c, vec3 sun, float towards) {
     vec3 front = sun * max(towards, 0.0) + ambientLight(c.normal) * c.openness;
     vec3 back = sun * max(-towards, 0.0) + ambientLight(-c.normal) * c.openness;
-    vec3 tint = c.albedo / max(max(c.albedo.r, c.albedo.g), max(c.albedo.b, 1e-3));
-    vec3 passing = min(c.transmittance * mix(vec3(1.0), tint, 0.45), 1.0 - c.albedo);
+    vec3 passing = min(passingDye(c.albedo, c.transmittance), 1.0 - c.albedo);
     float clear = clearness(c.transmittance);
     vec4 behind = lightBehind(clear);
-    // What touches the cloth is seen however much light scatters on the way.
-    float seen = mix(clear, 1.0, exp(-behind.w / 0.006));
-    return c.albedo * front + passing * mix(back, behind.rgb, seen);
+    // What touches the cloth is seen however much light scatters on the way, but gets its light through it.
+    float touching = exp(-behind.w / 0.006);
+    behind.rgb *= mix(1.0, mix(c.transmittance, 1.0, 0.3), touching);
+    return c.albedo * front + passing * mix(back, behind.rgb, mix(clear, 1.0, touching));
 }
 
 vec3 clothLight(Cloth c) {
@@ -195,7 +205,7 @@ void main() {
     c.transmittance = mix(transmittance, transmittance / (2.0 - transmittance), sewn.folded);
     // While little water stands on the cloth it lies in patches, between the highest threads.
     float patches = smoothstep(0.0, 0.5, 1.4 * gloss - 0.2 + 2.0 * relief.shade);
-    float menisci = 0.45 * smoothstep(0.6, 1.0, dampness);
+    float menisci = 0.35 * smoothstep(0.1, 0.6, dampness);
     c.film = max(patches * smoothstep(0.0, 0.15, gloss), menisci);
     c.roughness = mix(mix(0.50, 0.36, menisci), 0.19, gloss) + (1.0 - gloss) * relief.rough;
     c.dryness = dryness;

@@ -88,11 +88,11 @@ inline constexpr char cloth[] = R"(
 // Uneven spinning and beating: long along the threads of one direction and a thread or several wide.
 Relief streaks(vec2 at, float pixel) {
     Relief sum = Relief(vec2(0.0), 0.0, 0.0);
-    float scale = 70.0;
-    for (int i = 0; i < 3; ++i) {
+    float scale = 45.0;
+    for (int i = 0; i < 4; ++i) {
         float kept = 1.0 - smoothstep(0.25, 0.6, pixel * scale);
         if (kept > 0.0) {
-            const vec2 drawnOut = vec2(1.0, 0.06);
+            const vec2 drawnOut = vec2(1.0, 0.10);
             vec3 weft = noiseAndSlope(at * scale * drawnOut + 3.7);
             vec3 warp = noiseAndSlope(at.yx * scale * drawnOut + 11.3);
             sum.shade += kept * (weft.x + warp.x);
@@ -111,7 +111,7 @@ vec2 creases(vec2 at, float pixel) {
     }
     vec3 wide = noiseAndSlope(at * 9.0 + 1.9);
     vec3 narrow = noiseAndSlope(at * 22.0 + 0.35 * wide.yz + 4.1);
-    return kept * (0.05 * wide.yz + 0.045 * narrow.yz);
+    return kept * (0.08 * wide.yz + 0.07 * narrow.yz);
 }
 
 Relief clothRelief(vec2 at, float pixel, float dryness) {
@@ -171,7 +171,7 @@ Hem hemAt(vec2 at, float pixel) {
                    (1.0 - smoothstep(0.25, 0.6, pixel / (1.3 * width)));
     vec2 slope = direction * (0.5 * rim - 0.8 * step) + ripple * direction.yx;
     float folded = clamp((width - inwards) / pixel + 0.5, 0.0, 1.0);
-    return Hem(folded, -0.30 * step - 0.35 * sewn * dash - 0.12 * rim, slope);
+    return Hem(folded, -0.20 * step - 0.30 * sewn * dash - 0.20 * rim, slope);
 }
 )";
 
