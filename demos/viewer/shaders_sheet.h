@@ -204,13 +204,14 @@ void main() {
     c.albedo = clamp(albedo * (1.0 + pale * relief.shade) * (1.0 + sewn.shade), 0.0, 0.97);
     c.transmittance = mix(transmittance, transmittance / (2.0 - transmittance), sewn.folded);
     // While little water stands on the cloth it lies in patches, between the highest threads.
-    float patches = smoothstep(0.0, 0.5, 1.4 * gloss - 0.2 + 2.0 * relief.shade);
+    float patches = smoothstep(0.0, 0.5, 1.4 * gloss - 0.2 + 3.0 * relief.shade);
     float menisci = 0.35 * smoothstep(0.1, 0.6, dampness);
     c.film = max(patches * smoothstep(0.0, 0.15, gloss), menisci);
     c.roughness = mix(mix(0.50, 0.36, menisci), 0.19, gloss) + (1.0 - gloss) * relief.rough;
     c.dryness = dryness;
     float fold = clamp(side * hollow * 0.09, -0.3, 1.0);
-    c.openness = (1.0 - 0.5 * max(fold, 0.0)) * opennessAmongBalls(position, upright) *
+    // However close a ball is, some light comes along between it and the cloth.
+    c.openness = (1.0 - 0.5 * max(fold, 0.0)) * max(opennessAmongBalls(position, upright), 0.3) *
                  opennessAboveGround(position, upright);
     colour = vec4(toneMapped(clothLight(c)), 1.0);
 }
