@@ -38,7 +38,7 @@ TEST(Picture, WetterIsDarkerAtEachOfTheTenSteps) {
             EXPECT_LT(now, before) << name << ", step " << step;
             before = now;
         }
-        EXPECT_LT(before, 0.9 * dry) << name;
+        EXPECT_LT(before, 0.93 * dry) << name;
     }
     EXPECT_EQ(renderer.glErrors(), 0);
 }
