@@ -143,7 +143,7 @@ vec3 clothLight(Cloth c) {
     vec3 sun = sunLight * sunVisible(c.position, c.filmNormal);
     vec3 colour = diffuseLight(c, sun, towards);
 
-    float rim = pow(1.0 - facingEye, 3.0);
+    float rim = pow(max(1.0 - facingEye, 0.0), 3.0);
     float fibres = 0.10 * c.dryness;
     vec3 haze = fibres * sqrt(c.albedo);
     colour *= 1.0 - fibres * rim;
@@ -196,7 +196,7 @@ vec3 sloped(vec3 upright, vec2 slope, vec3 rightwards, vec3 upwards, vec2 clothR
     vec3 second = cross(upright, rightwards);
     float area = dot(rightwards, first);
     vec3 gradient = sign(area) * (first * dot(slope, clothRight) + second * dot(slope, clothUp));
-    return normalize(abs(area) * upright - gradient);
+    return normalize(max(abs(area), 1e-12) * upright - gradient);
 }
 
 // An even colour map, with enough light and shade that the shape is seen.

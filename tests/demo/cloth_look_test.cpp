@@ -55,6 +55,18 @@ TEST_F(ClothLook, WhatTouchesWetClothShowsThroughAndHardlyThroughDry) {
     EXPECT_GT(wet, 1.1);
 }
 
+TEST_F(ClothLook, AnotherLayerHidesWhatIsBehindIt) {
+    Portrait portrait(fabrics::polyesterPlain());
+    portrait.absorb(1);
+    viewer::Picture picture = beforeTwoBalls(portrait);
+    const double single = stripeContrast(capture(picture));
+    picture.sheets.push_back(picture.sheets[0]);
+    for (Eigen::Vector3f& position : picture.sheets[1].positions) position.z() += 0.02f;
+    const double both = stripeContrast(capture(picture));
+    EXPECT_LT(both - 1, 0.75 * (single - 1));
+    EXPECT_GT(both, 1.01);
+}
+
 TEST_F(ClothLook, ClothWithoutTransmittanceHidesWhatIsBehind) {
     const Portrait portrait(fabrics::polyesterPlain());
     viewer::Picture picture = beforeTwoBalls(portrait);
