@@ -117,7 +117,7 @@ vec2 creases(vec2 at, float pixel) {
     }
     vec3 wide = noiseAndSlope(at * 9.0 + 1.9);
     vec3 narrow = noiseAndSlope(at * 22.0 + 0.35 * wide.yz + 4.1);
-    return kept * (0.08 * wide.yz + 0.07 * narrow.yz);
+    return kept * (0.10 * wide.yz + 0.07 * narrow.yz);
 }
 
 Relief clothRelief(vec2 at, float pixel, float dryness) {
@@ -186,8 +186,8 @@ Hem hemAt(vec2 at, float pixel) {
     float fromSeam = inwards - 0.8 * width;
     float ledge = lineCover(inwards - width, 0.0008, pixel);
     float rim = lineCover(inwards, 0.0009, pixel);
-    float shade = -0.20 * ledge - 0.30 * stitches(along, fromSeam, pixel) - 0.20 * rim;
-    vec2 slope = direction * (0.5 * rim - 0.8 * ledge) + ripple(along, fromSeam, width, pixel) * direction.yx;
+    float shade = -0.14 * ledge - 0.22 * stitches(along, fromSeam, pixel) - 0.20 * rim;
+    vec2 slope = direction * (0.5 * rim - 0.4 * ledge) + ripple(along, fromSeam, width, pixel) * direction.yx;
     return Hem(clamp((width - inwards) / pixel + 0.5, 0.0, 1.0), shade, slope);
 }
 )";
