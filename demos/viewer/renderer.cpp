@@ -11,6 +11,7 @@
 #include "viewer/shader_program.h"
 #include "viewer/shaders_background.h"
 #include "viewer/shaders_lighting.h"
+#include "viewer/shaders_materials.h"
 #include "viewer/shaders_noise.h"
 #include "viewer/shaders_sheet.h"
 #include "viewer/shaders_solids.h"
@@ -18,6 +19,7 @@
 #include "viewer/sheet_buffer.h"
 #include "viewer/sheet_rounding.h"
 #include "viewer/solids.h"
+#include "viewer/wet_patches.h"
 
 namespace drench::viewer {
 
@@ -65,26 +67,26 @@ struct Programs {
                         {shaders::frame, shaders::sheetVertex},
                         {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
                          shaders::weave, shaders::sheetFragment}};
-    ShaderProgram ball{
-        "ball",
-        {shaders::frame, shaders::ballVertex},
-        {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::ballFragment}};
-    ShaderProgram rod{
-        "rod",
-        {shaders::frame, shaders::rodVertex},
-        {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::rodFragment}};
-    ShaderProgram box{
-        "box",
-        {shaders::frame, shaders::boxVertex},
-        {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::boxFragment}};
+    ShaderProgram ball{"ball",
+                       {shaders::frame, shaders::ballVertex},
+                       {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
+                        shaders::wetting, shaders::solidMaterials, shaders::ballFragment}};
+    ShaderProgram rod{"rod",
+                      {shaders::frame, shaders::rodVertex},
+                      {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
+                       shaders::wetting, shaders::solidMaterials, shaders::rodFragment}};
+    ShaderProgram box{"box",
+                      {shaders::frame, shaders::boxVertex},
+                      {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
+                       shaders::wetting, shaders::solidMaterials, shaders::boxFragment}};
     ShaderProgram water{"water",
                         {shaders::frame, shaders::waterVertex},
                         {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
                          shaders::waterFragment}};
-    ShaderProgram ground{
-        "ground",
-        {shaders::frame, shaders::groundVertex},
-        {shaders::frame, shaders::sky, shaders::occlusion, shaders::noise, shaders::groundFragment}};
+    ShaderProgram ground{"ground",
+                         {shaders::frame, shaders::groundVertex},
+                         {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
+                          shaders::wetting, shaders::groundFragment}};
     ShaderProgram sky{"sky",
                       {shaders::fullScreenVertex},
                       {shaders::frame, shaders::sky, shaders::noise, shaders::skyFragment}};
@@ -94,6 +96,8 @@ struct Programs {
     ShaderProgram ballDepth{"ball shadow", {shaders::frame, shaders::ballVertex}, {shaders::depthFragment}};
     ShaderProgram rodDepth{"rod shadow", {shaders::frame, shaders::rodVertex}, {shaders::depthFragment}};
     ShaderProgram boxDepth{"box shadow", {shaders::frame, shaders::boxVertex}, {shaders::depthFragment}};
+    ShaderProgram groundDepth{
+        "ground depth", {shaders::frame, shaders::groundVertex}, {shaders::depthFragment}};
 };
 
 void addCorners(std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& centre, float radius) {
@@ -139,6 +143,9 @@ class Renderer::Scene {
     // Returns the positions of the sheets that can be drawn.
     std::vector<Eigen::Vector3f> uploadSheets(const std::vector<SheetMesh>& sheets);
     void drawShadows(const FrameUniforms& uniforms) const;
+    void drawSolidDepths() const;
+    void drawGroundIfBelow(const FrameUniforms& uniforms, const ShaderProgram& program) const;
+    void drawWetness(const FrameUniforms& uniforms);
     void drawScene(const FrameUniforms& uniforms);
     void present(unsigned framebuffer, int width, int height) const;
 
@@ -151,6 +158,7 @@ class Renderer::Scene {
     Solids rods_{capsuleMesh(20, 5)};
     Solids boxes_{boxMesh()};
     Solids waters_{boxMesh()};
+    WetPatches patches_;
     std::vector<SheetBuffer> sheets_;
     std::size_t sheetCount_ = 0;
     std::optional<SceneTarget> target_;
@@ -182,6 +190,10 @@ void Renderer::Scene::drawShadows(const FrameUniforms& uniforms) const {
     for (std::size_t i = 0; i < sheetCount_; ++i) {
         sheets_[i].draw();
     }
+    drawSolidDepths();
+}
+
+void Renderer::Scene::drawSolidDepths() const {
     programs_.ballDepth.use();
     balls_.draw();
     programs_.rodDepth.use();
@@ -190,11 +202,31 @@ void Renderer::Scene::drawShadows(const FrameUniforms& uniforms) const {
     boxes_.draw();
 }
 
+void Renderer::Scene::drawGroundIfBelow(const FrameUniforms& uniforms, const ShaderProgram& program) const {
+    if (uniforms.eye[1] > uniforms.ground[0]) {
+        glBindVertexArray(noAttributes_.name());
+        program.use();
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
+}
+
+void Renderer::Scene::drawWetness(const FrameUniforms& uniforms) {
+    if (patches_.empty()) {
+        return;
+    }
+    patches_.beginSolids(target_->width(), target_->height());
+    frameBlock_.bind(uniforms);
+    drawSolidDepths();
+    drawGroundIfBelow(uniforms, programs_.groundDepth);
+    patches_.drawOntoSolids();
+}
+
 void Renderer::Scene::drawScene(const FrameUniforms& uniforms) {
     target_->bind();
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     frameBlock_.bind(uniforms);
     shadow_.bindForLookup();
+    patches_.bindForLookup();
     programs_.sheet.use();
     for (std::size_t i = 0; i < sheetCount_; ++i) {
         sheets_[i].draw();
@@ -206,11 +238,8 @@ void Renderer::Scene::drawScene(const FrameUniforms& uniforms) {
     programs_.box.use();
     boxes_.draw();
     // What covers the most pixels comes last, where most of it is hidden already.
+    drawGroundIfBelow(uniforms, programs_.ground);
     glBindVertexArray(noAttributes_.name());
-    if (uniforms.eye[1] > uniforms.ground[0]) {
-        programs_.ground.use();
-        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    }
     programs_.sky.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     if (!waters_.empty()) {
@@ -252,6 +281,7 @@ void Renderer::Scene::draw(const Picture& picture, int width, int height, unsign
     rods_.upload(instances(rods));
     boxes_.upload(instances(boxes));
     waters_.upload(instances(drawableWaters(picture.waters)));
+    patches_.upload(picture.patches);
     std::vector<Eigen::Vector3f> casters = uploadSheets(picture.sheets);
     addCorners(casters, balls);
     addCorners(casters, rods);
@@ -262,6 +292,7 @@ void Renderer::Scene::draw(const Picture& picture, int width, int height, unsign
 
     setPlainState();
     drawShadows(sunUniforms(uniforms, shadow));
+    drawWetness(uniforms);
     drawScene(uniforms);
     present(framebuffer, width, height);
     caption_.draw(picture.caption, width, height, picture.captionBelow);
