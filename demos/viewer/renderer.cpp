@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "viewer/airborne_water.h"
 #include "viewer/caption.h"
 #include "viewer/frame_uniforms.h"
 #include "viewer/gl_error_count.h"
@@ -159,6 +160,7 @@ class Renderer::Scene {
     Solids boxes_{boxMesh()};
     Solids waters_{boxMesh()};
     WetPatches patches_;
+    AirborneWater airborne_;
     std::vector<SheetBuffer> sheets_;
     std::size_t sheetCount_ = 0;
     std::optional<SceneTarget> target_;
@@ -247,6 +249,10 @@ void Renderer::Scene::drawScene(const FrameUniforms& uniforms) {
         programs_.water.use();
         waters_.draw();
     }
+    if (!airborne_.empty()) {
+        target_->resolveForLookup();
+        airborne_.draw();
+    }
     shadow_.unbind();
 }
 
@@ -282,6 +288,7 @@ void Renderer::Scene::draw(const Picture& picture, int width, int height, unsign
     boxes_.upload(instances(boxes));
     waters_.upload(instances(drawableWaters(picture.waters)));
     patches_.upload(picture.patches);
+    airborne_.upload(picture);
     std::vector<Eigen::Vector3f> casters = uploadSheets(picture.sheets);
     addCorners(casters, balls);
     addCorners(casters, rods);

@@ -52,15 +52,18 @@ struct Finish {
 Finish woodFinish(vec3 at, vec3 albedo, float pixel) {
     const float ringWidth = 0.008;
     float bent = 0.008 * valueNoise(at * vec3(1.7, 14.0, 14.0)) + 0.02 * valueNoise(at * vec3(0.9, 3.0, 3.0) + 5.0);
-    float rings = (length(at.yz - vec2(0.043, 0.031)) + bent) / ringWidth;
+    float fromPith = (length(at.yz - vec2(0.043, 0.031)) + bent) / ringWidth;
+    // Years differ.
+    float rings = fromPith + 1.3 * valueNoise(vec2(0.55 * fromPith, 1.0));
+    float strength = 0.65 + 0.7 * valueNoise(vec2(0.9 * fromPith, 8.0));
     float inRing = fract(rings);
-    float late = smoothstep(0.1, 0.8, inRing) * (1.0 - smoothstep(0.86, 1.0, inRing));
-    late = mix(0.42, late, 1.0 - smoothstep(0.3, 0.9, pixel / ringWidth));
+    float late = strength * smoothstep(0.1, 0.8, inRing) * (1.0 - smoothstep(0.86, 1.0, inRing));
+    late = mix(0.30, late, 1.0 - smoothstep(0.3, 0.9, pixel / ringWidth));
     float streaks = valueNoise(at * vec3(2.5, 55.0, 55.0));
     float fibres = layeredNoise(at * vec3(9.0, 420.0, 420.0), 420.0 * pixel);
     vec3 tone = mix(albedo * 1.15, albedo * vec3(0.62, 0.54, 0.46), late);
     tone *= 1.0 + 0.28 * streaks + 0.30 * fibres;
-    return Finish(tone, 0.04, 0.55 + 0.15 * late, 2.5e-4 * (fibres - 0.5 * late));
+    return Finish(tone, 0.04, 0.55 + 0.15 * late, 1.5e-4 * (fibres - 0.4 * late));
 }
 
 Finish stoneFinish(vec3 at, vec3 albedo, float pixel) {
