@@ -37,6 +37,7 @@ flat out vec3 across;
 flat out vec3 towardsEye;
 flat out float opacity;
 flat out float sun;
+flat out float slimness;
 
 void main() {
     centre = centreAndRadius.xyz;
@@ -53,8 +54,9 @@ void main() {
     along = halfWay > 1e-6 ? 0.5 * seen / halfWay : helper;
     across = cross(along, towardsEye);
     float halfLength = radius + halfWay;
+    slimness = radius / halfLength;
     // It is in each place for a part of the exposure only.
-    opacity *= mix(0.55, 1.0, radius / halfLength);
+    opacity *= mix(0.6, 1.0, slimness);
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
     // Leaves room for a smooth edge.
     onDrop = corner * (1.0 + vec2(smallest / radius, smallest / halfLength));
@@ -72,6 +74,7 @@ flat in vec3 across;
 flat in vec3 towardsEye;
 flat in float opacity;
 flat in float sun;
+flat in float slimness;
 out vec4 colour;
 
 // The finished picture in a direction from the drop; what it does not show is the light of the sky and the ground.
@@ -96,7 +99,7 @@ void main() {
         discard;
     }
     float towards = sqrt(max(1.0 - out2, 0.0));
-    vec3 normal = normalize(onDrop.x * across + onDrop.y * along + max(towards, 0.02) * towardsEye);
+    vec3 normal = normalize(onDrop.x * across + slimness * onDrop.y * along + max(towards, 0.02) * towardsEye);
     vec3 inwards = refract(-towardsEye, normal, 1.0 / 1.33);
     vec3 farSide = normalize(normal - 2.0 * dot(normal, inwards) * inwards);
     vec3 outwards = refract(inwards, farSide, 1.33);

@@ -42,9 +42,10 @@ Soil paving(vec2 at, float pixel) {
     float stains = layeredNoise(1.6 * at + 3.0 * tone, 1.6 * pixel);
     float grain = layeredNoise(60.0 * at, 60.0 * pixel);
     float pits = layeredNoise(21.0 * at + 17.0 * tone, 21.0 * pixel);
+    float pores = smoothstep(0.22, 0.40, valueNoise(150.0 * at)) * (1.0 - smoothstep(0.002, 0.006, pixel));
     const vec3 grey = vec3(0.265, 0.262, 0.248), warm = vec3(0.285, 0.258, 0.212);
     vec3 stoneAlbedo = mix(grey, warm, 0.5 + 0.9 * latticeValue(slab + 31.0));
-    stoneAlbedo *= 1.0 + 0.16 * tone + 0.16 * stains + 0.20 * grain + 0.12 * pits;
+    stoneAlbedo *= 1.0 + 0.16 * tone + 0.16 * stains + 0.20 * grain + 0.12 * pits - 0.30 * pores;
     vec3 sand = vec3(0.115, 0.105, 0.078) * (1.0 + 0.3 * grain);
     float rounded = smoothstep(0.0, 0.02, edge) * (1.0 - smoothstep(0.004, 0.02, pixel));
     return Soil(mix(stoneAlbedo, sand, joint), 0.0016 * rounded + 0.0007 * grain + 0.0010 * pits);

@@ -17,11 +17,12 @@ vec3 wetAlbedo(vec3 dry, float wet) {
     return mix(dry, dry / (index2 * (1.0 - dry) + dry), wet);
 }
 
-// A film of water has the shine of water, and fills what is rough.
+// A film of water has the shine of water, and fills what is rough; a damp place is dark already, but not yet shiny.
 void makeWet(inout Surface s, float wet) {
+    float film = wet * wet * wet;
     s.albedo = wetAlbedo(s.albedo, wet);
-    s.reflectance = mix(s.reflectance, 0.02, wet);
-    s.roughness = mix(s.roughness, min(s.roughness, 0.16), wet);
+    s.reflectance = mix(s.reflectance, 0.02, film);
+    s.roughness = mix(s.roughness, min(s.roughness, 0.42), film);
 }
 
 // The normal of a surface that rises by `height`, metres, over the smooth one.
@@ -62,7 +63,7 @@ Finish woodFinish(vec3 at, vec3 albedo, float pixel) {
     float streaks = valueNoise(at * vec3(2.5, 55.0, 55.0));
     float fibres = layeredNoise(at * vec3(9.0, 420.0, 420.0), 420.0 * pixel);
     vec3 tone = mix(albedo * 1.15, albedo * vec3(0.62, 0.54, 0.46), late);
-    tone *= 1.0 + 0.28 * streaks + 0.30 * fibres;
+    tone *= 1.0 + 0.45 * streaks + 0.30 * fibres;
     return Finish(tone, 0.04, 0.55 + 0.15 * late, 1.5e-4 * (fibres - 0.4 * late));
 }
 
@@ -75,7 +76,7 @@ Finish stoneFinish(vec3 at, vec3 albedo, float pixel) {
 Finish metalFinish(vec3 at, vec3 albedo, float pixel) {
     float brushed = layeredNoise(at * vec3(8.0, 500.0, 500.0), 500.0 * pixel);
     float dull = layeredNoise(11.0 * at, 11.0 * pixel);
-    return Finish(mix(albedo, vec3(1.0), 0.28) * (1.0 + 0.08 * brushed), 0.6, 0.30 + 0.10 * dull, 3e-5 * brushed);
+    return Finish(mix(albedo, vec3(1.0), 0.12) * (1.0 + 0.08 * brushed), 0.6, 0.30 + 0.10 * dull, 3e-5 * brushed);
 }
 
 Finish paintFinish(vec3 at, vec3 albedo, float pixel) {

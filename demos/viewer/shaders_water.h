@@ -40,20 +40,32 @@ uniform sampler2D scene;
 uniform sampler2D sceneDepth;
 
 // More than clear water takes, so that a tank of half a metre shows it; 1/m.
-const vec3 absorption = vec3(0.95, 0.34, 0.26);
-const vec3 scattered = vec3(0.09, 0.19, 0.22);
+const vec3 absorption = vec3(0.75, 0.30, 0.24);
+const vec3 scattered = vec3(0.10, 0.17, 0.19);
 
-float height(vec2 at) {
-    return valueNoise(7.0 * at + vec2(0.9, 0.4) * time) + 0.55 * valueNoise(15.0 * at.yx - vec2(0.5, 1.3) * time) +
-           0.22 * valueNoise(34.0 * at + vec2(-1.7, 1.1) * time);
+// The surface is a sum of waves that run in all directions: their wave numbers, 1/m, and how fast their phases turn.
+const int waveCount = 7;
+const vec3 waves[waveCount] = vec3[](vec3(21.0, 11.0, 1.9), vec3(-17.0, 27.0, -2.3), vec3(36.0, -14.0, 2.6),
+                                     vec3(9.0, 47.0, -2.9), vec3(-52.0, -19.0, 3.1), vec3(41.0, 49.0, 3.4),
+                                     vec3(-33.0, 71.0, -3.7));
+// All waves are equally steep.
+const float steepness = 0.011;
+
+vec2 slope(vec2 at) {
+    vec2 sum = vec2(0.0);
+    for (int i = 0; i < waveCount; ++i) {
+        sum += waves[i].xy / length(waves[i].xy) * cos(dot(waves[i].xy, at) + waves[i].z * time + float(i * i));
+    }
+    return steepness * sum;
 }
 
 vec3 rippled() {
-    const float slope = 0.0055, step = 0.004;
-    vec2 at = position.xz;
-    float here = height(at);
-    vec2 rise = vec2(height(at + vec2(step, 0.0)) - here, height(at + vec2(0.0, step)) - here) / step;
-    return normalize(vec3(-slope * rise.x, 1.0, -slope * rise.y));
+    // Water climbs up the glass by a millimetre or two.
+    const float meniscus = 0.003;
+    vec2 fromGlass = extents.xz - abs(position.xz - centre.xz);
+    vec2 climb = 0.7 * sign(position.xz - centre.xz) * exp(-fromGlass / meniscus);
+    vec2 rise = slope(position.xz) + climb;
+    return normalize(vec3(-rise.x, 1.0, -rise.y));
 }
 
 vec3 behind(ivec2 pixel) {
@@ -106,11 +118,63 @@ float firstMet(vec3 way) {
     return to;
 }
 
-// Bright lines that ripples throw on what lies below them, as a factor on its light.
-float caustics(vec3 place) {
-    vec2 at = place.xz - towardsSun.xz / towardsSun.y * place.y;
-    float first = valueNoise(8.0 * at + vec2(0.8, 0.5) * time) + 0.5 * valueNoise(19.0 * at.yx - vec2(0.9, 1.1) * time);
-    return 1.0 + 0.30 * (exp(-90.0 * first * first) - 0.25);
+// Light that the waves gather where they are hollow and spread where they are round, as a factor on that of the sun
+// and the sky: where rays that came in side by side arrive, and how much closer they are then.
+float caustics(vec3 place, float down) {
+    // Waves in a tank are lower than those that throw lines as sharp as one knows them.
+    float bend = 9.0 * 0.25 * down;
+    vec2 below = place.xz + towardsSun.xz / max(towardsSun.y, 0.2) * 0.75 * down;
+    vec2 at = below;
+    for (int i = 0; i < 3; ++i) {
+        at = below + bend * slope(at);
+    }
+    mat2 curvature = mat2(0.0);
+    for (int i = 0; i < waveCount; ++i) {
+        float along = -sin(dot(waves[i].xy, at) + waves[i].z * time + float(i * i)) / length(waves[i].xy);
+        curvature += along * outerProduct(waves[i].xy, waves[i].xy);
+    }
+    float spread = abs(determinant(mat2(1.0) - bend * steepness * curvature));
+    return mix(0.72, 1.0, min(1.0 / (0.25 + spread), 3.0));
+}
+
+// What stands in front of the water is not seen through it, but what is beside that on the screen.
+ivec2 clearOfFront(ivec2 pixel) {
+    const ivec2 ways[4] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
+    ivec2 size = textureSize(scene, 0);
+    int step = max(size.y / 120, 1);
+    for (int i = 0; i < 16; ++i) {
+        ivec2 other = clamp(pixel + (i + 3) / 4 * step * ways[i & 3], ivec2(0), size - 1);
+        if (dot(behind(other) - position, normal) <= 0.0) {
+            return other;
+        }
+    }
+    return pixel;
+}
+
+// What the surface mirrors: solids and sheets where the picture shows them, else sky and ground. Already tone mapped.
+vec3 mirroredScene(vec3 direction, float roughness) {
+    const int steps = 28;
+    const float reach = 1.6;
+    vec3 around = toneMapped(mirroredLight(direction, roughness));
+    float before = 0.0;
+    for (int i = 1; i <= steps; ++i) {
+        float share = float(i) / float(steps);
+        float far = reach * share * share;
+        vec3 place = position + far * direction;
+        vec4 clip = clipFromWorld * vec4(place, 1.0);
+        vec2 edge = abs(clip.xy / clip.w);
+        if (clip.w <= 0.0 || max(edge.x, edge.y) > 1.0) {
+            return around;
+        }
+        ivec2 pixel = pixelOf(place);
+        float behindIt = distance(place, eye.xyz) - distance(behind(pixel), eye.xyz);
+        if (behindIt > 0.0 && behindIt < 0.05 + 2.0 * (far - before)) {
+            vec2 kept = smoothstep(1.0, 0.85, edge);
+            return mix(around, texelFetch(scene, pixel, 0).rgb, kept.x * kept.y);
+        }
+        before = far;
+    }
+    return around;
 }
 
 void main() {
@@ -124,16 +188,15 @@ void main() {
     vec3 way = wayThrough(into) * into;
     vec3 met = position + firstMet(way) * way;
     ivec2 pixel = pixelOf(met);
-    // What stands in front of the water is not seen through it, but what is beside it on the screen.
-    for (int i = 0; i < 4 && dot(behind(pixel) - position, normal) > 0.0; ++i) {
-        pixel.y = max(pixel.y - textureSize(scene, 0).y / 90, 0);
+    if (dot(behind(pixel) - position, normal) > 0.0) {
+        pixel = clearOfFront(pixel);
     }
     vec3 below = texelFetch(scene, pixel, 0).rgb;
     // Light came down through the water before it came up.
     float down = clamp(centre.y + extents.y - met.y, 0.0, 2.0 * extents.y);
     vec3 kept = exp(-absorption * (distance(met, position) + down));
     if (inWater(behind(pixel))) {
-        below *= mix(1.0, caustics(met), smoothstep(0.0, 0.15, down));
+        below *= mix(1.0, caustics(met, down), smoothstep(0.0, 0.1, down));
     }
     below = below * kept + scattered * (1.0 - kept);
 
@@ -144,11 +207,11 @@ void main() {
     s.roughness = 0.12;
     float facingEye = max(dot(facing, towardsEye), 0.02);
     float facingSun = max(dot(facing, towardsSun.xyz), 0.0);
-    vec3 mirrored = mirroredLight(reflect(-towardsEye, facing), s.roughness);
+    vec3 mirrored = mirroredScene(reflect(-towardsEye, facing), s.roughness);
     vec3 glint =
         sunLight * sunVisible(position, normal) * facingSun * sunGlint(s, towardsEye, facingSun, facingEye);
     float share = fresnel(s.reflectance, facingEye);
-    colour = vec4(below * (1.0 - share) + toneMapped(share * mirrored + glint), 1.0);
+    colour = vec4(below * (1.0 - share) + share * mirrored + toneMapped(glint), 1.0);
 }
 )";
 
