@@ -9,9 +9,7 @@ uniform sampler2D scene;
 uniform sampler2D sceneDepth;
 
 float metresPerPixel(vec3 place) {
-    float scale = length(vec3(clipFromWorld[0][1], clipFromWorld[1][1], clipFromWorld[2][1]));
-    float depth = max((clipFromWorld * vec4(place, 1.0)).w, 1e-3);
-    return 2.0 * depth / (scale * float(textureSize(scene, 0).y));
+    return lens.z * distance(place, eye.xyz);
 }
 )";
 

@@ -15,6 +15,10 @@ void main() {
 }
 )";
 
+inline constexpr char depthFragment[] = R"(
+void main() {}
+)";
+
 // A terrace of flagstones round the origin, and a lawn from there to the haze.
 inline constexpr char groundFragment[] = R"(
 in vec3 position;

@@ -60,11 +60,11 @@ vec2 slope(vec2 at) {
 }
 
 vec3 rippled() {
-    // Water climbs up the glass by a millimetre or two.
+    // Water climbs up the glass by a millimetre or two. The waves are half as steep as those of the caustics.
     const float meniscus = 0.003;
     vec2 fromGlass = extents.xz - abs(position.xz - centre.xz);
-    vec2 climb = 0.7 * sign(position.xz - centre.xz) * exp(-fromGlass / meniscus);
-    vec2 rise = slope(position.xz) + climb;
+    vec2 climb = 0.2 * sign(position.xz - centre.xz) * exp(-fromGlass / meniscus);
+    vec2 rise = 0.5 * slope(position.xz) + climb;
     return normalize(vec3(-rise.x, 1.0, -rise.y));
 }
 
@@ -122,7 +122,7 @@ float firstMet(vec3 way) {
 // and the sky: where rays that came in side by side arrive, and how much closer they are then.
 float caustics(vec3 place, float down) {
     // Waves in a tank are lower than those that throw lines as sharp as one knows them.
-    float bend = 9.0 * 0.25 * down;
+    float bend = 6.0 * 0.25 * down;
     vec2 below = place.xz + towardsSun.xz / max(towardsSun.y, 0.2) * 0.75 * down;
     vec2 at = below;
     for (int i = 0; i < 3; ++i) {
