@@ -208,7 +208,9 @@ void WaterEffects::beginDrop(double mass, double age) {
     const double longest = fallTime + farDown / -velocity.y();
     const std::optional<Hit> end = hitBody(start, start + velocity * longest);
     const double left = end ? (end->place - start).norm() / velocity.norm() : fallTime;
-    rain_.push_back({start, velocity, left, end ? end->body : nullptr, mass});
+    // Drops differ, as in Marshall and Palmer's law.
+    const double size = -std::log(1 - random());
+    rain_.push_back({start, velocity, left, end ? end->body : nullptr, size * mass});
 }
 
 void WaterEffects::fallRain(double frameTime) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -11,8 +12,7 @@ namespace drench::demo {
 
 namespace {
 
-constexpr double runsTogether = 0.6;  // share of a place's radius within which new water joins it
-constexpr double crowded = 4;         // the same where there is no room for another place
+constexpr double runsTogether = 0.4;  // share of a place's radius within which new water joins it
 constexpr double mostLayers = 2;      // beyond which water runs off
 constexpr double darkUntil = 0.35;    // of the layer; below it the place fades
 
@@ -38,15 +38,16 @@ WetPlaces::WetPlaces(std::size_t most) : most_(most) {
     if (most < 1) throw std::invalid_argument("drench: there must be room for at least 1 wet place, not 0");
 }
 
-/// The place on a body whose middle is nearest in terms of its radius, if that is within `reach`.
+/// The place on a body whose middle is nearest, if that is within so many of its radii or within `reach`, m.
 WetPlaces::Place* WetPlaces::nearest(const btCollisionObject& body, const Eigen::Vector3d& inBody,
-                                     double reach) {
+                                     double perRadius, double reach) {
     Place* found = nullptr;
-    double least = reach * reach;
+    double least = std::numeric_limits<double>::infinity();
     for (Place& place : places_) {
         if (place.body != &body) continue;
-        const double away2 = (place.inBody - inBody).squaredNorm() * pi / place.area;
-        if (away2 >= least) continue;
+        const double away2 = (place.inBody - inBody).squaredNorm();
+        const double near2 = std::max(perRadius * perRadius * place.area / pi, reach * reach);
+        if (away2 >= std::min(least, near2)) continue;
         least = away2;
         found = &place;
     }
@@ -57,7 +58,8 @@ void WetPlaces::wet(const btCollisionObject& body, const Eigen::Vector3d& place,
     if (!(mass > 0)) return;
     const Eigen::Vector3d inBody = toEigen3d(body.getWorldTransform().invXform(toBullet(place)));
     const bool full = places_.size() >= most_;
-    if (Place* const old = nearest(body, inBody, full ? crowded : runsTogether)) {
+    // Where there is no room for another place the nearest one grows.
+    if (Place* const old = nearest(body, inBody, runsTogether, full ? largestRadius : 0)) {
         old->inBody += (inBody - old->inBody) * mass / (old->mass + mass);
         old->mass += mass;
         old->area = std::max(old->area, areaFor(old->mass));

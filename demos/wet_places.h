@@ -45,7 +45,8 @@ class WetPlaces {
         float outline;
     };
 
-    Place* nearest(const btCollisionObject& body, const Eigen::Vector3d& inBody, double reach);
+    Place* nearest(const btCollisionObject& body, const Eigen::Vector3d& inBody, double perRadius,
+                   double reach);
 
     std::size_t most_;
     std::vector<Place> places_;

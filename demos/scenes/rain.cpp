@@ -54,7 +54,11 @@ HalfUnderRoof::HalfUnderRoof(const SceneOptions& options)
     addSheet(options);
     drops_ = std::make_unique<FallingDrops>(bullet_->world());
     drops_->add(*cloth_);
-    effects_ = std::make_unique<WaterEffects>(bullet_->world(), WaterEffectsLimits{options.seed});
+    WaterEffectsLimits limits;
+    limits.seed = options.seed;
+    limits.streaks = 4500;
+    limits.places = 3000;
+    effects_ = std::make_unique<WaterEffects>(bullet_->world(), limits);
     chooseSubsteps(cloth_->stepBound(), mostSubsteps);
     damp(*sheet_, restDamping);
     table_.columns = {
@@ -103,7 +107,7 @@ void HalfUnderRoof::advance() {
     stepWorld();
     drops_->step(frameTime);
     effects_->rain(rain_->intensity, {0, -6.5, 0},
-                   {Eigen::Vector3d(-2.2, 0, -2.2), Eigen::Vector3d(2.2, 3.2, 2.2)});
+                   {Eigen::Vector3d(-3, 0, -3.4), Eigen::Vector3d(3, 3.2, 2.2)});
     effects_->follow(*drops_);
     effects_->step(frameTime, cloth_->air());
     const bool rained = rainTime() > 0.5;

@@ -8,7 +8,8 @@ uniform sampler2D wetness;
 
 // A picture without patches comes with a single dry pixel, to which every place is clamped.
 float wetnessHere() {
-    return texture(wetness, gl_FragCoord.xy / vec2(textureSize(wetness, 0))).r;
+    float water = texture(wetness, gl_FragCoord.xy / vec2(textureSize(wetness, 0))).r;
+    return smoothstep(0.0, 0.75, water);
 }
 
 // Light that a film of water keeps inside is absorbed more often (Angstrom 1925).

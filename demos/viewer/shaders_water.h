@@ -60,11 +60,8 @@ vec2 slope(vec2 at) {
 }
 
 vec3 rippled() {
-    // Water climbs up the glass by a millimetre or two. The waves are half as steep as those of the caustics.
-    const float meniscus = 0.003;
-    vec2 fromGlass = extents.xz - abs(position.xz - centre.xz);
-    vec2 climb = 0.2 * sign(position.xz - centre.xz) * exp(-fromGlass / meniscus);
-    vec2 rise = 0.5 * slope(position.xz) + climb;
+    // Half as steep as the waves of the caustics.
+    vec2 rise = 0.5 * slope(position.xz);
     return normalize(vec3(-rise.x, 1.0, -rise.y));
 }
 
@@ -92,30 +89,39 @@ bool inWater(vec3 place) {
     return all(lessThan(abs(place - centre), extents + 0.01));
 }
 
+// How far along a way from here a place is hidden first, between one that is not and one that is, as shares of the way.
+float firstHidden(vec3 way, float from, float to) {
+    for (int i = 0; i < 6; ++i) {
+        float middle = 0.5 * (from + to);
+        vec3 place = position + middle * way;
+        bool hidden = distance(behind(pixelOf(place)), eye.xyz) < distance(place, eye.xyz);
+        from = hidden ? from : middle;
+        to = hidden ? middle : to;
+    }
+    return to;
+}
+
+// Whether the camera sees something at a place, or only something that the place is behind.
+bool isSeen(vec3 place) {
+    return distance(place, behind(pixelOf(place))) < 0.03;
+}
+
 // Where a ray into the water meets something that the camera sees, as a share of its way; 1 if nowhere.
 float firstMet(vec3 way) {
     const int steps = 24;
-    // What the ray passes behind is not met.
     float thickness = 2.0 * length(way) / float(steps);
-    float from = 0.0;
-    float to = 1.0;
-    bool met = false;
-    for (int i = 1; i <= steps && !met; ++i) {
-        to = float(i) / float(steps);
-        vec3 place = position + to * way;
+    for (int i = 1; i <= steps; ++i) {
+        vec3 place = position + float(i) / float(steps) * way;
         vec3 seen = behind(pixelOf(place));
         float behindIt = distance(place, eye.xyz) - distance(seen, eye.xyz);
-        met = behindIt > 0.0 && behindIt < thickness && inWater(seen);
-        from = met ? from : to;
+        if (behindIt > 0.0 && behindIt < thickness && inWater(seen)) {
+            float met = firstHidden(way, float(i - 1) / float(steps), float(i) / float(steps));
+            if (isSeen(position + met * way)) {
+                return met;
+            }
+        }
     }
-    for (int i = 0; i < 6 && met; ++i) {
-        float middle = 0.5 * (from + to);
-        vec3 place = position + middle * way;
-        bool beyond = distance(behind(pixelOf(place)), eye.xyz) < distance(place, eye.xyz);
-        from = beyond ? from : middle;
-        to = beyond ? middle : to;
-    }
-    return to;
+    return 1.0;
 }
 
 // Light that the waves gather where they are hollow and spread where they are round, as a factor on that of the sun
@@ -137,23 +143,43 @@ float caustics(vec3 place, float down) {
     return mix(0.72, 1.0, min(1.0 / (0.25 + spread), 3.0));
 }
 
-// What stands in front of the water is not seen through it, but what is beside that on the screen.
-ivec2 clearOfFront(ivec2 pixel) {
+// Whether a pixel shows not what is at a place, or beyond the water there, but something before it.
+bool hides(ivec2 pixel, vec3 place) {
+    vec3 seen = behind(pixel);
+    bool beforeWater = dot(seen - position, normal) > 0.0;
+    return beforeWater || (inWater(seen) && distance(seen, eye.xyz) < distance(place, eye.xyz) - 0.04);
+}
+
+// The pixel of a place, or if something hides that, the nearest that is clear: what is hidden looks alike.
+ivec2 clearPixelOf(vec3 place) {
     const ivec2 ways[4] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
+    ivec2 pixel = pixelOf(place);
+    if (!hides(pixel, place)) {
+        return pixel;
+    }
     ivec2 size = textureSize(scene, 0);
     int step = max(size.y / 120, 1);
     for (int i = 0; i < 16; ++i) {
-        ivec2 other = clamp(pixel + (i + 3) / 4 * step * ways[i & 3], ivec2(0), size - 1);
-        if (dot(behind(other) - position, normal) <= 0.0) {
+        ivec2 other = clamp(pixel + (step << (i >> 2)) * ways[i & 3], ivec2(0), size - 1);
+        if (!hides(other, place)) {
             return other;
         }
     }
     return pixel;
 }
 
+// Where water meets glass it climbs up a little and catches light: 1 there, 0 elsewhere, averaged over the pixel.
+float meniscus() {
+    const float width = 0.0025;
+    vec2 fromGlass = max(extents.xz - abs(position.xz - centre.xz), 0.0);
+    vec2 pixel = max(abs(dFdx(position.xz)), abs(dFdy(position.xz)));
+    float blurred = width + max(pixel.x, pixel.y);
+    return width / blurred * exp(-min(fromGlass.x, fromGlass.y) / blurred);
+}
+
 // What the surface mirrors: solids and sheets where the picture shows them, else sky and ground. Already tone mapped.
 vec3 mirroredScene(vec3 direction, float roughness) {
-    const int steps = 28;
+    const int steps = 32;
     const float reach = 1.6;
     vec3 around = toneMapped(mirroredLight(direction, roughness));
     float before = 0.0;
@@ -166,11 +192,13 @@ vec3 mirroredScene(vec3 direction, float roughness) {
         if (clip.w <= 0.0 || max(edge.x, edge.y) > 1.0) {
             return around;
         }
-        ivec2 pixel = pixelOf(place);
-        float behindIt = distance(place, eye.xyz) - distance(behind(pixel), eye.xyz);
-        if (behindIt > 0.0 && behindIt < 0.05 + 2.0 * (far - before)) {
-            vec2 kept = smoothstep(1.0, 0.85, edge);
-            return mix(around, texelFetch(scene, pixel, 0).rgb, kept.x * kept.y);
+        float behindIt = distance(place, eye.xyz) - distance(behind(pixelOf(place)), eye.xyz);
+        if (behindIt > 0.0 && behindIt < 0.02 + 1.5 * (far - before)) {
+            vec3 met = position + firstHidden(direction, before, far) * direction;
+            if (isSeen(met)) {
+                vec2 kept = smoothstep(1.0, 0.85, edge);
+                return mix(around, texelFetch(scene, pixelOf(met), 0).rgb, kept.x * kept.y);
+            }
         }
         before = far;
     }
@@ -187,10 +215,7 @@ void main() {
     vec3 into = refract(-towardsEye, facing, 1.0 / 1.33);
     vec3 way = wayThrough(into) * into;
     vec3 met = position + firstMet(way) * way;
-    ivec2 pixel = pixelOf(met);
-    if (dot(behind(pixel) - position, normal) > 0.0) {
-        pixel = clearOfFront(pixel);
-    }
+    ivec2 pixel = clearPixelOf(met);
     vec3 below = texelFetch(scene, pixel, 0).rgb;
     // Light came down through the water before it came up.
     float down = clamp(centre.y + extents.y - met.y, 0.0, 2.0 * extents.y);
@@ -211,6 +236,9 @@ void main() {
     vec3 glint =
         sunLight * sunVisible(position, normal) * facingSun * sunGlint(s, towardsEye, facingSun, facingEye);
     float share = fresnel(s.reflectance, facingEye);
+    if (onTop) {
+        share = mix(share, 0.75, meniscus());
+    }
     colour = vec4(below * (1.0 - share) + share * mirrored + toneMapped(glint), 1.0);
 }
 )";

@@ -14,7 +14,7 @@ flat out vec2 kind;
 flat out mat4 worldFromScreen;
 
 void main() {
-    const float margin = 1.3;
+    const float margin = 1.35;
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
     vec3 towardsEye = normalize(eye.xyz - centreAndRadius.xyz);
     vec3 helper = abs(towardsEye.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
@@ -49,9 +49,9 @@ void main() {
     vec4 point = worldFromScreen * vec4(vec3(gl_FragCoord.xy / size, depth) * 2.0 - 1.0, 1.0);
     vec3 within = turnedBack(point.xyz / point.w - ball.xyz, turn) / ball.w;
     vec3 shape = within + 61.0 * kind.y;
-    float uneven = 0.42 * valueNoise(1.7 * shape) + 0.26 * valueNoise(4.1 * shape) + 0.12 * valueNoise(11.0 * shape);
-    float outwards = length(within) * (1.08 + uneven);
-    float wet = kind.x * (1.0 - smoothstep(0.80, 1.0, outwards));
+    float uneven = 0.75 * valueNoise(1.9 * shape) + 0.40 * valueNoise(4.6 * shape) + 0.15 * valueNoise(12.0 * shape);
+    float outwards = length(within) * max(1.12 + uneven, 0.8);
+    float wet = kind.x * (1.0 - smoothstep(0.45, 1.03, outwards));
     colour = vec4(wet);
 }
 )";

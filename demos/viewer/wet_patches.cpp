@@ -97,10 +97,10 @@ void WetPatches::drawOntoSolids() const {
     glActiveTexture(GL_TEXTURE0);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
-    glBlendEquation(GL_MAX);
+    // Where patches overlap they are wetter, and edges that meet run together.
+    glBlendFunc(GL_ONE, GL_ONE);
     program_.use();
     quads_.draw();
-    glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
 }

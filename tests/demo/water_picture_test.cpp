@@ -151,14 +151,14 @@ TEST_F(WaterPicture, APatchWetsSolidsAndGroundWithinItsRadius) {
     const auto onBox = [](Picture& picture) { picture.patches.push_back({{0, 0.5f, -0.9f}, 0.2f, 1.0f}); };
     Picture box = stage();
     box.camera.target = {0, 0.5f, -0.9f};
-    const Change onTheBox = changeBy(box, onBox, 32, 32);
+    const Change onTheBox = changeBy(box, onBox, 41, 41);
     EXPECT_GT(onTheBox.inside, 300);
     EXPECT_EQ(onTheBox.outside, 0);
     Picture ground = stage();
     ground.boxes.clear();
     ground.camera.target = {0, 0, 0};
     const auto onGround = [](Picture& picture) { picture.patches.push_back({{0, 0, 0}, 0.2f, 1.0f}); };
-    const Change seen = changeBy(ground, onGround, 32, 12);
+    const Change seen = changeBy(ground, onGround, 42, 14);
     EXPECT_GT(seen.inside, 200);
     EXPECT_EQ(seen.outside, 0);
 }
