@@ -1,5 +1,6 @@
 #include "viewer/renderer.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include "viewer/caption.h"
 #include "viewer/frame_uniforms.h"
 #include "viewer/gl_error_count.h"
+#include "viewer/layers_target.h"
 #include "viewer/render_target.h"
 #include "viewer/shaders_background.h"
 #include "viewer/sheet_pass.h"
@@ -67,8 +69,8 @@ class Renderer::Scene {
   public:
     Scene() = default;
 
-    void draw(const Picture& picture, int width, int height, unsigned framebuffer);
-    Image capture(const Picture& picture, int width, int height);
+    void draw(const Picture& picture, const Area& area, unsigned framebuffer);
+    void drawPair(const Picture& left, const Picture& right, int width, int height, unsigned framebuffer);
     int glErrors() const { return errors_.count(); }
 
   private:
@@ -78,7 +80,7 @@ class Renderer::Scene {
     void drawShadows(const FrameUniforms& uniforms) const;
     void drawWetness(const FrameUniforms& uniforms);
     void drawScene(const FrameUniforms& uniforms) const;
-    void present(unsigned framebuffer, int width, int height) const;
+    void present(unsigned framebuffer, const Area& area) const;
 
     GlErrorCount errors_;
     FrameBlock frameBlock_;
@@ -92,6 +94,7 @@ class Renderer::Scene {
     WetPatches patches_;
     AirborneWater airborne_;
     std::optional<SceneTarget> target_;
+    std::optional<LayersTarget> layers_;
     Caption caption_;
 };
 
@@ -135,6 +138,10 @@ void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
     background_.draw(groundIsSeen(uniforms));
     if (!sheets_.empty()) {
         target_->resolveForBlurredLookup();
+        layers_->begin();
+        sheets_.drawLayers();
+        layers_->end();
+        target_->bind();
         sheets_.draw();
     }
     if (!waters_.empty()) {
@@ -148,10 +155,10 @@ void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
     shadow_.unbind();
 }
 
-void Renderer::Scene::present(unsigned framebuffer, int width, int height) const {
+void Renderer::Scene::present(unsigned framebuffer, const Area& area) const {
     target_->resolve();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, width, height);
+    glViewport(area.x, area.y, area.width, area.height);
     glDisable(GL_DEPTH_TEST);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, target_->texture());
@@ -165,31 +172,40 @@ void Renderer::Scene::resize(int width, int height) {
     if (!target_ || target_->width() != width || target_->height() != height) {
         // Gives the old memory back before it asks for the new.
         target_.reset();
+        layers_.reset();
         target_.emplace(width, height);
+        layers_.emplace(width, height);
     }
 }
 
-void Renderer::Scene::draw(const Picture& picture, int width, int height, unsigned framebuffer) {
+void Renderer::Scene::draw(const Picture& picture, const Area& area, unsigned framebuffer) {
     requireDrawable(picture);
-    resize(width, height);
+    resize(area.width, area.height);
     const std::vector<Eigen::Vector3f> casters = upload(picture);
     const ShadowFit shadow = fitShadow(casters, picture.towardsSun.normalized(), shadow_.resolution());
     const FrameUniforms uniforms =
-        cameraUniforms(picture, drawableBalls(picture.balls), width, height, shadow);
+        cameraUniforms(picture, drawableBalls(picture.balls), area.width, area.height, shadow);
 
     setPlainState();
     drawShadows(sunUniforms(uniforms, shadow));
     drawWetness(uniforms);
     drawScene(uniforms);
-    present(framebuffer, width, height);
-    caption_.draw(picture.caption, width, height, picture.captionBelow);
+    present(framebuffer, area);
+    caption_.draw(picture, area);
     errors_.poll();
 }
 
-Image Renderer::Scene::capture(const Picture& picture, int width, int height) {
-    const ImageTarget target(width, height);
-    draw(picture, width, height, target.framebuffer());
-    return target.read();
+void Renderer::Scene::drawPair(const Picture& left, const Picture& right, int width, int height,
+                               unsigned framebuffer) {
+    const AreaPair areas = sideBySide(width, height);
+    draw(left, areas.left, framebuffer);
+    draw(right, areas.right, framebuffer);
+    // The line between them.
+    constexpr std::array<float, 4> paleGrey{0.85f, 0.85f, 0.85f, 1.0f};
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(areas.left.width, 0, areas.right.x - areas.left.width, height);
+    glClearBufferfv(GL_COLOR, 0, paleGrey.data());
+    glDisable(GL_SCISSOR_TEST);
 }
 
 Renderer::Renderer() {
@@ -200,13 +216,32 @@ Renderer::Renderer() {
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const Picture& picture, int width, int height, unsigned framebuffer) {
-    if (width > 0 && height > 0) {
-        scene_->draw(picture, width, height, framebuffer);
+    draw(picture, {0, 0, width, height}, framebuffer);
+}
+
+void Renderer::draw(const Picture& picture, const Area& area, unsigned framebuffer) {
+    if (area.width > 0 && area.height > 0) {
+        scene_->draw(picture, area, framebuffer);
+    }
+}
+
+void Renderer::drawPair(const Picture& left, const Picture& right, int width, int height,
+                        unsigned framebuffer) {
+    if (sideBySide(width, height).left.width > 0) {
+        scene_->drawPair(left, right, width, height, framebuffer);
     }
 }
 
 Image Renderer::capture(const Picture& picture, int width, int height) {
-    return scene_->capture(picture, width, height);
+    const ImageTarget target(width, height);
+    draw(picture, width, height, target.framebuffer());
+    return target.read();
+}
+
+Image Renderer::capturePair(const Picture& left, const Picture& right, int width, int height) {
+    const ImageTarget target(width, height);
+    drawPair(left, right, width, height, target.framebuffer());
+    return target.read();
 }
 
 int Renderer::glErrors() const {

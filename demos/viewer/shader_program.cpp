@@ -67,6 +67,7 @@ void ShaderProgram::bindInputs() const {
     glUniform1i(glGetUniformLocation(program_.name(), "sceneDepth"), 3);
     glUniform1i(glGetUniformLocation(program_.name(), "wetness"), 6);
     glUniform1i(glGetUniformLocation(program_.name(), "sunPassing"), 4);
+    glUniform1i(glGetUniformLocation(program_.name(), "sheetLayers"), 5);
     glUseProgram(0);
 }
 

@@ -94,7 +94,9 @@ float penumbra(vec3 map, float start) {
     float blockers = 0.0;
     float depths = 0.0;
     for (int i = 0; i < taps; ++i) {
-        float depth = texture(sunDepth, map.xy + search / shadowSize.x * pattern(i, taps, start)).r;
+        // Closer together in the middle, so that what is thin is not missed.
+        float reach = search * sqrt((float(i) + 0.5) / float(taps));
+        float depth = texture(sunDepth, map.xy + reach / shadowSize.x * pattern(i, taps, start)).r;
         float blocks = step(depth, min(map.z, 0.99999));
         blockers += blocks;
         depths += blocks * depth;
@@ -125,17 +127,20 @@ float sunVisible(vec3 position, vec3 normal) {
     // Ground beyond the far plane of the map is still behind everything that casts a shadow.
     float depth = min(map.z, 0.99999);
     float visible = 0.0;
-    float behindSheets = 0.0;
+    vec2 throughSheets = vec2(0.0, 1e-4);
     for (int i = 0; i < taps; ++i) {
         vec2 at = map.xy + radius * pattern(i, taps, start);
         float lit = texture(sunShadow, vec3(at, depth));
         visible += lit;
-        if (i % 4 == 0) {
+        if (i % 2 == 0) {
             vec2 passing = texture(sunPassing, at).xy;
-            behindSheets += 4.0 * (1.0 - lit) * passing.x * step(depth, passing.y + 0.0005);
+            // Where there is no sheet at all, a solid is in the way.
+            passing.x *= step(passing.x, 0.999) * step(depth, passing.y + 0.0005);
+            throughSheets += (1.0 - lit) * vec2(passing.x, 1.0);
         }
     }
-    return (visible + behindSheets) / float(taps);
+    visible /= float(taps);
+    return visible + (1.0 - visible) * throughSheets.x / throughSheets.y;
 }
 
 // The share of the sky that the balls leave open, seen from a surface facing `normal`.

@@ -64,7 +64,8 @@ Finish woodFinish(vec3 at, vec3 albedo, float pixel) {
     float streaks = valueNoise(at * vec3(2.5, 55.0, 55.0));
     float fibres = layeredNoise(at * vec3(9.0, 420.0, 420.0), 420.0 * pixel);
     vec3 tone = mix(albedo * 1.15, albedo * vec3(0.62, 0.54, 0.46), late);
-    tone *= 1.0 + 0.45 * streaks + 0.30 * fibres;
+    float weathered = valueNoise(at * vec3(1.3, 19.0, 19.0) + 9.0);
+    tone *= 1.0 + 0.45 * streaks + 0.40 * weathered + 0.30 * fibres;
     return Finish(tone, 0.04, 0.55 + 0.15 * late, 1.5e-4 * (fibres - 0.4 * late));
 }
 

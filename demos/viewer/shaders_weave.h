@@ -53,11 +53,11 @@ Relief twill(vec2 at) {
     float step = mod(cell.x + cell.y, 4.0);
     if (step < 0.5) {
         Relief weft = turned(thread(inside.y, inside.x));
-        weft.shade += 0.75;
+        weft.shade += 0.54;
         return weft;
     }
     Relief warp = thread((step - 2.0 + inside.x) / 3.0, inside.y);
-    warp.shade -= 0.22;
+    warp.shade -= 0.15;
     return warp;
 }
 
@@ -88,19 +88,25 @@ inline constexpr char cloth[] = R"(
 // Uneven spinning and beating: long along the threads of one direction and a thread or several wide.
 Relief streaks(vec2 at, float pixel) {
     Relief sum = Relief(vec2(0.0), 0.0, 0.0);
-    float scale = 70.0;
-    for (int i = 0; i < 3; ++i) {
+    float scale = 45.0;
+    // Close by, the finer ones stand out most.
+    float weight = 1.0;
+    float weights = 0.8;
+    for (int i = 0; i < 4; ++i) {
         float kept = 1.0 - smoothstep(0.25, 0.6, pixel * scale);
         if (kept > 0.0) {
-            const vec2 drawnOut = vec2(1.0, 0.06);
+            const vec2 drawnOut = vec2(1.0, 0.10);
             vec3 weft = noiseAndSlope(at * scale * drawnOut + 3.7);
             vec3 warp = noiseAndSlope(at.yx * scale * drawnOut + 11.3);
+            kept *= weight;
+            weights += kept;
             sum.shade += kept * (weft.x + warp.x);
             sum.slope += kept * (weft.yz * drawnOut + (warp.yz * drawnOut).yx);
         }
         scale *= 3.1;
+        weight *= 1.6;
     }
-    return sum;
+    return Relief(sum.slope / weights, sum.shade / weights, 0.0);
 }
 
 // Small creases that the mesh is too coarse for.
@@ -111,7 +117,7 @@ vec2 creases(vec2 at, float pixel) {
     }
     vec3 wide = noiseAndSlope(at * 9.0 + 1.9);
     vec3 narrow = noiseAndSlope(at * 22.0 + 0.35 * wide.yz + 4.1);
-    return kept * (0.05 * wide.yz + 0.045 * narrow.yz);
+    return kept * (0.08 * wide.yz + 0.07 * narrow.yz);
 }
 
 Relief clothRelief(vec2 at, float pixel, float dryness) {
@@ -119,8 +125,10 @@ Relief clothRelief(vec2 at, float pixel, float dryness) {
         return Relief(vec2(0.0), 0.0, 0.0);
     }
     Relief uneven = streaks(at, pixel);
-    Relief all = Relief(0.06 * uneven.slope + dryness * creases(at, pixel), 0.075 * uneven.shade, 0.12);
-    float kept = 1.0 - smoothstep(0.28, 0.65, pixel / threading.x);
+    Relief all = Relief(0.10 * uneven.slope + dryness * creases(at, pixel), 0.15 * uneven.shade, 0.12);
+    // The legs of a loop are finer than what one wale is from the next.
+    float finest = threading.y > 1.5 ? 0.5 * threading.x : threading.x;
+    float kept = 1.0 - smoothstep(0.22, 0.5, pixel / finest);
     if (kept > 0.0) {
         Relief one = crossing(at / threading.x);
         all.slope += kept * one.slope;
@@ -171,7 +179,7 @@ Hem hemAt(vec2 at, float pixel) {
                    (1.0 - smoothstep(0.25, 0.6, pixel / (1.3 * width)));
     vec2 slope = direction * (0.5 * rim - 0.8 * step) + ripple * direction.yx;
     float folded = clamp((width - inwards) / pixel + 0.5, 0.0, 1.0);
-    return Hem(folded, -0.30 * step - 0.35 * sewn * dash - 0.12 * rim, slope);
+    return Hem(folded, -0.20 * step - 0.30 * sewn * dash - 0.20 * rim, slope);
 }
 )";
 
