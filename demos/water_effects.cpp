@@ -22,6 +22,7 @@ constexpr double streakWidth = 0.0016;  // m
 constexpr double farDown = 100;         // m, that rain falls below its region to find what it lands on
 constexpr double shelterAbove = 30;     // m, up to which a roof over the region keeps the rain off
 constexpr double sprayLife = 1.5;       // s
+constexpr double finestDrop = 0.6e-3;   // m, up to which a drop of a spray is no more than a streak
 constexpr double dropsPerSecond = 900;  // that stand for the water of a nozzle
 constexpr double patchLength = 0.5;     // m, of a wet place along the air, for its drying
 
@@ -51,6 +52,10 @@ struct SolidRay final : btCollisionWorld::ClosestRayResultCallback {
                ClosestRayResultCallback::needsCollision(proxy);
     }
 };
+
+viewer::WaterDrop seen(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity, double radius) {
+    return {position.cast<float>(), velocity.cast<float>(), float(radius)};
+}
 
 void require(bool holds, const std::string& what) {
     if (!holds) throw std::invalid_argument("drench: " + what);
@@ -104,8 +109,7 @@ void WaterEffects::follow(const FallingDrops& drops) {
                 splash({flight.position.x(), pool->max().y(), flight.position.z()}, flight.velocity.norm());
             continue;
         }
-        falling_.push_back(
-            {flight.position.cast<float>(), flight.velocity.cast<float>(), float(radiusOf(flight.mass))});
+        falling_.push_back(seen(flight.position, flight.velocity, radiusOf(flight.mass)));
     }
     for (const FallingDrops::Landing& landing : drops.landed()) {
         if (poolRound(landing.position) != nullptr) continue;
@@ -124,9 +128,9 @@ void WaterEffects::step(double frameTime, const Air& air, double waterSpeed) {
     findSheets();
     beginRain(frameTime);
     fallRain(frameTime);
+    removeWhere(spray_, [&](Bead& drop) { return sprayEnds(drop, frameTime); });
     for (const Nozzle& nozzle : nozzles_) emit(nozzle, frameTime);
     nozzles_.clear();
-    flySpray(frameTime);
     flySplashes(frameTime);
     drift(frameTime, air);
     // Places are wet on one face only.
@@ -245,28 +249,26 @@ void WaterEffects::emit(const Nozzle& nozzle, double frameTime) {
         const Eigen::Vector3d aside = axis.cross(randomDirection());
         const double angle = nozzle.halfAngle * std::sqrt(random());
         const Eigen::Vector3d way = std::cos(angle) * axis + std::sin(angle) * aside.normalized();
-        const Eigen::Vector3d velocity = nozzle.speed * random(0.75, 1.1) * way;
-        const double radius = random(0.3e-3, 1.1e-3);
-        spray_.push_back({nozzle.place + velocity * random(0, frameTime), velocity, radius,
-                          nozzle.rate * frameTime / count, sprayLife});
+        Bead drop{nozzle.place, nozzle.speed * random(0.75, 1.1) * way, random(0.3e-3, 1.1e-3),
+                  nozzle.rate * frameTime / count, sprayLife};
+        if (!sprayEnds(drop, random(0, frameTime))) spray_.push_back(drop);
     }
-    if (count > 0 && random() < 30 * frameTime)
-        addPuff(nozzle.place + 0.04 * axis, 0.35 * nozzle.speed * axis, 0.02, 0.10);
+    if (count > 0 && random() < 40 * frameTime)
+        addPuff(nozzle.place + 0.04 * axis, 0.35 * nozzle.speed * axis, 0.02, 0.22);
 }
 
-void WaterEffects::flySpray(double frameTime) {
-    removeWhere(spray_, [&](Bead& drop) {
-        const Eigen::Vector3d from = drop.position;
-        drop.position += frameTime * drop.velocity + 0.5 * frameTime * frameTime * gravity;
-        drop.velocity += frameTime * gravity;
-        drop.left -= frameTime;
-        const std::optional<Hit> hit = hitAnything(from, drop.position);
-        if (!hit) return drop.left <= 0;
-        wet(*hit, drop.mass);
-        if (random() < 0.35) splash(hit->place, 0.6 * drop.velocity.norm());
-        if (random() < 0.06) addPuff(hit->place, 0.05 * drop.velocity.norm() * randomDirection(), 0.03, 0.07);
-        return true;
-    });
+/// Moves a drop of a spray on. @return whether it has met something, or is out of sight
+bool WaterEffects::sprayEnds(Bead& drop, double time) {
+    const Eigen::Vector3d from = drop.position;
+    drop.position += time * drop.velocity + 0.5 * time * time * gravity;
+    drop.velocity += time * gravity;
+    drop.left -= time;
+    const std::optional<Hit> hit = hitAnything(from, drop.position);
+    if (!hit) return drop.left <= 0;
+    wet(*hit, drop.mass);
+    if (random() < 0.35) splash(hit->place, 0.6 * drop.velocity.norm());
+    if (random() < 0.08) addPuff(hit->place, 0.05 * drop.velocity.norm() * randomDirection(), 0.03, 0.16);
+    return true;
 }
 
 void WaterEffects::flySplashes(double frameTime) {
@@ -316,10 +318,16 @@ void WaterEffects::show(viewer::Picture& picture) const {
                                    (drop.position - exposure * drop.velocity).cast<float>(),
                                    float(streakWidth), 0.5f});
     picture.drops.insert(picture.drops.end(), falling_.begin(), falling_.end());
-    for (const std::vector<Bead>* const beads : {&spray_, &splashes_})
-        for (const Bead& drop : *beads)
-            picture.drops.push_back(
-                {drop.position.cast<float>(), drop.velocity.cast<float>(), float(drop.radius)});
+    for (const Bead& drop : splashes_)
+        picture.drops.push_back(seen(drop.position, drop.velocity, drop.radius));
+    for (const Bead& drop : spray_) {
+        if (drop.radius > finestDrop)
+            picture.drops.push_back(seen(drop.position, drop.velocity, drop.radius));
+        else
+            picture.streaks.push_back({drop.position.cast<float>(),
+                                       (drop.position - exposure * drop.velocity).cast<float>(),
+                                       float(2 * drop.radius), 0.8f});
+    }
     for (const Puff& puff : puffs_) {
         const double share = puff.age / puff.life;
         picture.mist.push_back({puff.centre.cast<float>(), float(puff.radius * (1 + 4 * share)),

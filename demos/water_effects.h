@@ -117,7 +117,7 @@ class WaterEffects {
     void beginDrop(double mass, double age);
     void fallRain(double frameTime);
     void emit(const Nozzle& nozzle, double frameTime);
-    void flySpray(double frameTime);
+    bool sprayEnds(Bead& drop, double time);
     void flySplashes(double frameTime);
     void drift(double frameTime, const Air& air);
     void splash(const Eigen::Vector3d& place, double vigour);

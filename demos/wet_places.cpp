@@ -57,16 +57,17 @@ WetPlaces::Place* WetPlaces::nearest(const btCollisionObject& body, const Eigen:
 void WetPlaces::wet(const btCollisionObject& body, const Eigen::Vector3d& place, double mass, float outline) {
     if (!(mass > 0)) return;
     const Eigen::Vector3d inBody = toEigen3d(body.getWorldTransform().invXform(toBullet(place)));
-    const bool full = places_.size() >= most_;
-    // Where there is no room for another place the nearest one grows.
-    if (Place* const old = nearest(body, inBody, runsTogether, full ? largestRadius : 0)) {
+    // The less room there is for other places, the farther water goes to join one.
+    const double room = 1 - double(places_.size()) / double(most_);
+    const double reach = largestRadius * std::pow(std::clamp(1 - 2 * room, 0.0, 1.0), 2);
+    if (Place* const old = nearest(body, inBody, runsTogether, reach)) {
         old->inBody += (inBody - old->inBody) * mass / (old->mass + mass);
         old->mass += mass;
         old->area = std::max(old->area, areaFor(old->mass));
         old->mass = std::min(old->mass, mostLayers * layer * old->area);
         return;
     }
-    if (full) {
+    if (places_.size() >= most_) {
         const auto driest = std::min_element(
             places_.begin(), places_.end(),
             [](const Place& a, const Place& b) { return a.mass * b.area < b.mass * a.area; });

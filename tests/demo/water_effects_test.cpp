@@ -151,7 +151,7 @@ TEST(WaterEffects, CountsStayWithinTheirLimits) {
         effects.spray(nozzle);
         effects.step(frameTime, Air());
         const viewer::Picture picture = pictureOf(effects);
-        ASSERT_LE(picture.streaks.size(), limits.streaks);
+        ASSERT_LE(picture.streaks.size(), limits.streaks + limits.drops);
         ASSERT_LE(picture.drops.size(), 2 * limits.drops);
         ASSERT_LE(picture.mist.size(), limits.puffs);
         ASSERT_LE(picture.patches.size(), limits.places);
