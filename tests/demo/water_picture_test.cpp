@@ -182,7 +182,8 @@ TEST_F(WaterPicture, APatchInTheAirOrOnASheetChangesNothing) {
     EXPECT_EQ(changeBy(picture, onSheet, width, height).inside, 0);
 }
 
-/// Light of a channel in the middle of a picture, before the curve of the renderer, which is straight in the dark.
+/// Light of a channel in the middle of a picture, before the curve of the renderer, which is straight in the
+/// dark.
 double lightInTheMiddle(const Image& image, int which) {
     double sum = 0;
     int counted = 0;
