@@ -224,6 +224,27 @@ TEST_F(WaterPicture, WetGroundIsDarkerByAngstromsRatio) {
     }
 }
 
+TEST_F(WaterPicture, APoolMirrorsWhatStandsOverIt) {
+    Picture picture;
+    Water water;
+    water.centre = {0, 0.3f, 0};
+    water.halfExtents = {1, 0.3f, 1};
+    picture.waters.push_back(water);
+    Box box;
+    box.centre = {0, 0.9f, -0.5f};
+    box.halfExtents = {0.5f, 0.25f, 0.05f};
+    box.material = Material::paint;
+    picture.boxes.push_back(box);
+    picture.camera.target = {0, 0.6f, 0};
+    picture.camera.pitch = 0.2f;
+    picture.camera.distance = 3;
+    picture.boxes[0].albedo = {0.02f, 0.02f, 0.02f};
+    const Image dark = renderer_.capture(picture, width, height);
+    picture.boxes[0].albedo = {0.9f, 0.9f, 0.9f};
+    // The middle of the picture is surface in front of the box.
+    EXPECT_GT(change(dark, renderer_.capture(picture, width, height), 20, 3).inside, 100);
+}
+
 TEST_F(WaterPicture, MaterialsLookDifferent) {
     const auto boxOf = [&](Material material) {
         Picture picture = stage();
