@@ -85,10 +85,10 @@ class Cling::Side {
         const Eigen::Vector3f metal(0.25f, 0.25f, 0.27f);
         const Eigen::Vector3f centre = picture.balls.back().centre;
         const Eigen::Vector3f axle(float(ballRadius) + 0.07f, 0, 0);
-        picture.rods.push_back({centre - axle, centre + axle, 0.012f, metal});
+        picture.rods.push_back({centre - axle, centre + axle, 0.012f, metal, viewer::Material::metal});
         for (const float end : {-1.0f, 1.0f}) {
             const Eigen::Vector3f bearing = centre + end * axle;
-            picture.rods.push_back({{bearing.x(), 0, 0}, bearing, 0.016f, metal});
+            picture.rods.push_back({{bearing.x(), 0, 0}, bearing, 0.016f, metal, viewer::Material::metal});
         }
     }
 

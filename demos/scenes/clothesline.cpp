@@ -24,12 +24,11 @@ constexpr double soaked = 1.5;       // water at the start over what the pores h
 constexpr double temperature = 25;   // degrees Celsius
 constexpr double humidity = 0.5;
 constexpr double waterSpeed = 240;
-constexpr double windTurn = 0.5;    // rad, to either side
-constexpr double windPeriod = 5;    // s
-constexpr double restDamping = 1;   // 1/s
-constexpr int mostSubsteps = 40;    // a frame; a nearly dry sheet asks for more, and its links act softer
-constexpr double balanced = 0.02;   // of every node's content against that in balance with the air
-constexpr double spotLifetime = 4;  // s, after which the ground has dried
+constexpr double windTurn = 0.5;   // rad, to either side
+constexpr double windPeriod = 5;   // s
+constexpr double restDamping = 1;  // 1/s
+constexpr int mostSubsteps = 40;   // a frame; a nearly dry sheet asks for more, and its links act softer
+constexpr double balanced = 0.02;  // of every node's content against that in balance with the air
 
 // Drying is measured between these shares of what the sheet holds when it has stopped dripping.
 constexpr double measuredFrom = 0.9, measuredTo = 0.4;
@@ -37,20 +36,6 @@ constexpr double mostDryNodes = 0.05;  // share of the sheet; beyond it drying s
 constexpr double dripsOver = 0.95;     // of all that drips, after which dripping counts as over
 
 constexpr double gramsAndHours = 1e3 * 3600;  // kg/s in g/h
-
-/// A disc on the ground, as part of one mesh for all of them.
-void addDisc(viewer::SheetMesh& mesh, const Eigen::Vector3f& centre, float radius) {
-    constexpr std::uint32_t corners = 14;
-    const auto middle = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.push_back(centre);
-    for (std::uint32_t i = 0; i < corners; ++i) {
-        const float angle = 2 * float(pi) * float(i) / float(corners);
-        mesh.positions.emplace_back(centre + radius * Eigen::Vector3f(std::cos(angle), 0, -std::sin(angle)));
-        mesh.triangles.push_back({middle, middle + 1 + i, middle + 1 + (i + 1) % corners});
-    }
-    mesh.albedo.resize(mesh.positions.size(), {0.10f, 0.10f, 0.09f});
-    mesh.gloss.resize(mesh.positions.size(), 0.3f);
-}
 
 }  // namespace
 
@@ -78,6 +63,7 @@ Clothesline::Clothesline(const SceneOptions& options)
     cloth_->presoak(soaked * fabric_.poreCapacity());
     drops_ = std::make_unique<FallingDrops>(bullet_->world());
     drops_->add(*cloth_);
+    effects_ = std::make_unique<WaterEffects>(bullet_->world(), WaterEffectsLimits{options.seed});
     hang();
     adjustSubsteps();
     note();
@@ -143,11 +129,8 @@ void Clothesline::fallDrops() {
         heaviestDrop_ = std::max(heaviestDrop_, flight.mass);
         dropsFallen_ += flight.count;
     }
-    for (const FallingDrops::Landing& landing : drops_->landed())
-        spots_.push_back({landing.position.cast<float>(), time_});
-    spots_.erase(std::remove_if(spots_.begin(), spots_.end(),
-                                [&](const Spot& spot) { return time_ - spot.time > spotLifetime; }),
-                 spots_.end());
+    effects_->follow(*drops_);
+    effects_->step(frameTime, cloth_->air(), waterSpeed);
 }
 
 void Clothesline::note() {
@@ -235,43 +218,23 @@ std::string Clothesline::status() const {
 void Clothesline::showLine(viewer::Picture& picture) const {
     const Eigen::Vector3f wood(0.30f, 0.22f, 0.15f), rope(0.62f, 0.58f, 0.50f), plastic(0.55f, 0.10f, 0.06f);
     const float post = 0.85f, line = float(lineHeight) + 0.004f, behind = -0.006f;
-    picture.rods.push_back({{-post, line, behind}, {post, line, behind}, 0.004f, rope});
+    picture.rods.push_back(
+        {{-post, line, behind}, {post, line, behind}, 0.004f, rope, viewer::Material::rope});
     for (const float x : {-post, post})
         picture.rods.push_back({{x, 0, behind}, {x, line + 0.07f, behind}, 0.03f, wood});
     for (const int peg : pegs_) {
         const Eigen::Vector3f middle =
             0.5f * (toEigen(sheet_->m_nodes[peg].m_x) + toEigen(sheet_->m_nodes[peg + 1].m_x));
-        picture.rods.push_back(
-            {middle - Eigen::Vector3f(0, 0.03f, 0), middle + Eigen::Vector3f(0, 0.03f, 0), 0.009f, plastic});
+        picture.rods.push_back({middle - Eigen::Vector3f(0, 0.03f, 0), middle + Eigen::Vector3f(0, 0.03f, 0),
+                                0.009f, plastic, viewer::Material::paint});
     }
-}
-
-/// Drops are drawn larger than they are, or nobody would see them.
-void Clothesline::showDrops(viewer::Picture& picture) const {
-    constexpr float dropRadius = 0.006f, spotRadius = 0.02f;
-    for (const FallingDrops::Flight& flight : drops_->inFlight()) {
-        viewer::Ball drop;
-        drop.centre = flight.position.cast<float>();
-        drop.radius = dropRadius;
-        drop.albedo = {0.25f, 0.45f, 0.75f};
-        picture.balls.push_back(drop);
-    }
-    viewer::SheetMesh wetGround;
-    float above = 0.001f;  // m; no two discs at the same height, which would flicker
-    for (const Spot& spot : spots_) {
-        const float left = 1 - float((time_ - spot.time) / spotLifetime);
-        above += 2e-6f;
-        addDisc(wetGround, {spot.place.x(), above, spot.place.z()},
-                spotRadius * std::sqrt(std::max(left, 0.0f)));
-    }
-    picture.sheets.push_back(wetGround);
 }
 
 viewer::Picture Clothesline::picture() const {
     viewer::Picture picture;
     picture.sheets.push_back(sheetMesh(*sheet_, *cloth_));
     showLine(picture);
-    showDrops(picture);
+    effects_->show(picture);
     picture.camera.target = {0, 0.85f, 0.1f};
     picture.camera.distance = 2.7f;
     picture.camera.yaw = -0.45f;

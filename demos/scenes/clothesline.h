@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../timed_scene.h"
+#include "../water_effects.h"
 
 namespace drench::demo {
 
@@ -51,11 +52,6 @@ class Clothesline final : public TimedScene {
         double expected;
         double from, to;  // mean content, kg/kg
     };
-    /// Where a drop has landed on the ground.
-    struct Spot {
-        Eigen::Vector3f place;
-        double time;  // s
-    };
 
     void hang();
     double rippleDepth(double column) const;
@@ -71,7 +67,6 @@ class Clothesline final : public TimedScene {
     double contentOf(const Sample& sample) const;
     std::optional<ConstantRate> constantRate() const;
     void showLine(viewer::Picture& picture) const;
-    void showDrops(viewer::Picture& picture) const;
     void checkDrops(std::vector<std::string>& list) const;
     void checkDrying(std::vector<std::string>& list) const;
 
@@ -84,11 +79,11 @@ class Clothesline final : public TimedScene {
     std::unique_ptr<btSoftBody> sheet_;
     std::unique_ptr<WetCloth> cloth_;
     std::unique_ptr<FallingDrops> drops_;
+    std::unique_ptr<WaterEffects> effects_;
     std::vector<int> pegs_;  // columns in which they sit
     int mostSteps_ = 0;
     bool dry_ = false;
     std::vector<Sample> samples_;
-    std::vector<Spot> spots_;
     double lightestDrop_;  // kg
     double heaviestDrop_;  // kg
     std::int64_t dropsFallen_ = 0;

@@ -137,8 +137,11 @@ viewer::Picture Drape::picture() const {
         picture.sheets.push_back(sheetMesh(*side->sheet, *side->cloth));
         picture.balls.push_back(demo::ball(*side->ball));
         const Eigen::Vector3f foot(float(side->ball->getWorldTransform().getOrigin().x()), 0, 0);
-        picture.rods.push_back(
-            {foot, foot + Eigen::Vector3f(0, float(ballHeight), 0), 0.035f, {0.25f, 0.25f, 0.27f}});
+        picture.rods.push_back({foot,
+                                foot + Eigen::Vector3f(0, float(ballHeight), 0),
+                                0.035f,
+                                {0.25f, 0.25f, 0.27f},
+                                viewer::Material::metal});
     }
     picture.camera.target = {0, 0.62f, 0};
     picture.camera.distance = 2.6f;

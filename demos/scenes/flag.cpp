@@ -84,8 +84,11 @@ class Flag::Side {
     void show(viewer::Picture& picture) const {
         const Eigen::Vector3f foot(float(poleAt_), 0, 0);
         picture.sheets.push_back(sheetMesh(cloth_.body(), cloth_.wet()));
-        picture.rods.push_back(
-            {foot, foot + Eigen::Vector3f(0, float(top + 0.1), 0), float(poleRadius), {0.55f, 0.55f, 0.57f}});
+        picture.rods.push_back({foot,
+                                foot + Eigen::Vector3f(0, float(top + 0.1), 0),
+                                float(poleRadius),
+                                {0.55f, 0.55f, 0.57f},
+                                viewer::Material::metal});
     }
 
   private:

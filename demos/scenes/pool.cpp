@@ -50,6 +50,9 @@ Dip::Dip(const SceneOptions& options) : TimedScene(options, 26) {
     cloth_->wet().add(pool);
     drops_ = std::make_unique<FallingDrops>(bullet_->world());
     drops_->add(cloth_->wet());
+    effects_ = std::make_unique<WaterEffects>(bullet_->world(), WaterEffectsLimits{options.seed});
+    effects_->setPools({{Eigen::Vector3d(-tankHalfLength, 0, -tankHalfWidth),
+                         Eigen::Vector3d(tankHalfLength, waterLevel, tankHalfWidth)}});
     chooseSubsteps(cloth_->wet().stepBound(), mostSubsteps);
     table_.columns = columns();
     table_.columns.insert(table_.columns.begin(), {"time_s", 1});
@@ -72,6 +75,8 @@ void Dip::advance() {
     moveBar();
     stepWorld();
     drops_->step(frameTime);
+    effects_->follow(*drops_);
+    effects_->step(frameTime, cloth_->wet().air());
     if (time_ <= liftsAt) saturationUnderWater_ = meanSaturation();
     if (!isDue(60)) return;
     table_.rows.push_back(row());
@@ -122,11 +127,7 @@ viewer::Picture Dip::picture() const {
     picture.waters.push_back(water);
     showTank(picture);
     showBar(picture);
-    for (const FallingDrops::Flight& drop : drops_->inFlight()) {
-        const Eigen::Vector3f place = drop.position.cast<float>();
-        if (place.y() < float(waterLevel)) continue;  // it is one with the water
-        picture.rods.push_back({place, place, 0.003f, {0.25f, 0.42f, 0.62f}});
-    }
+    effects_->show(picture);
     picture.camera.target = {0, 0.76f, 0};
     picture.camera.distance = 2.15f;
     picture.camera.yaw = 0.38f;
@@ -153,8 +154,9 @@ void Dip::showTank(viewer::Picture& picture) const {
     const Eigen::Vector3f corners[] = {{-x, 0, -z}, {x, 0, -z}, {x, 0, z}, {-x, 0, z}};
     for (std::size_t i = 0; i < 4; ++i) {
         const Eigen::Vector3f up(0, rim, 0);
-        picture.rods.push_back({corners[i], corners[i] + up, radius, metal});
-        picture.rods.push_back({corners[i] + up, corners[(i + 1) % 4] + up, radius, metal});
+        picture.rods.push_back({corners[i], corners[i] + up, radius, metal, viewer::Material::metal});
+        picture.rods.push_back(
+            {corners[i] + up, corners[(i + 1) % 4] + up, radius, metal, viewer::Material::metal});
     }
 }
 
@@ -163,10 +165,11 @@ void Dip::showBar(viewer::Picture& picture) const {
     picture.rods.push_back({{-reach, y, 0}, {reach, y, 0}, float(barRadius), {0.30f, 0.22f, 0.15f}});
     for (const int node : held_) {
         const Eigen::Vector3f clip = toEigen(cloth_->body().m_nodes[node].m_x);
-        picture.rods.push_back({clip, {clip.x(), y, clip.z()}, 0.006f, {0.5f, 0.5f, 0.5f}});
+        picture.rods.push_back(
+            {clip, {clip.x(), y, clip.z()}, 0.006f, {0.5f, 0.5f, 0.5f}, viewer::Material::metal});
     }
     for (const float x : {-reach + 0.02f, reach - 0.02f})
-        picture.rods.push_back({{x, y, 0}, {x, 2, 0}, 0.003f, {0.4f, 0.4f, 0.4f}});
+        picture.rods.push_back({{x, y, 0}, {x, 2, 0}, 0.003f, {0.4f, 0.4f, 0.4f}, viewer::Material::metal});
 }
 
 std::optional<std::string> Dip::moment() const {

@@ -7,6 +7,7 @@
 
 #include "../scene_cloth.h"
 #include "../timed_scene.h"
+#include "../water_effects.h"
 
 namespace drench::demo {
 
@@ -38,6 +39,7 @@ class Dip final : public TimedScene {
 
     std::unique_ptr<SceneCloth> cloth_;
     std::unique_ptr<FallingDrops> drops_;
+    std::unique_ptr<WaterEffects> effects_;
     std::vector<int> held_;            // nodes in the clips
     std::vector<btVector3> fromBar_;   // of each of them, m
     double saturationUnderWater_ = 0;  // at the end of the rest under water

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iomanip>
 #include <ostream>
-#include <random>
 #include <sstream>
 
 #include "../angles.h"
@@ -55,6 +54,11 @@ HalfUnderRoof::HalfUnderRoof(const SceneOptions& options)
     addSheet(options);
     drops_ = std::make_unique<FallingDrops>(bullet_->world());
     drops_->add(*cloth_);
+    WaterEffectsLimits limits;
+    limits.seed = options.seed;
+    limits.streaks = 4500;
+    limits.places = 3000;
+    effects_ = std::make_unique<WaterEffects>(bullet_->world(), limits);
     chooseSubsteps(cloth_->stepBound(), mostSubsteps);
     damp(*sheet_, restDamping);
     table_.columns = {
@@ -102,6 +106,10 @@ void HalfUnderRoof::advance() {
     cloth_->air().wind = {0, 0, windSpeed_};
     stepWorld();
     drops_->step(frameTime);
+    effects_->rain(rain_->intensity, {0, -6.5, 0},
+                   {Eigen::Vector3d(-3, 0, -3.4), Eigen::Vector3d(3, 3.2, 2.2)});
+    effects_->follow(*drops_);
+    effects_->step(frameTime, cloth_->air());
     const bool rained = rainTime() > 0.5;
     if (rained && (std::lround(rainTime() / frameTime) % framesPerRow == 0 || finished()))
         table_.rows.push_back(reportRow());
@@ -184,13 +192,10 @@ viewer::Picture HalfUnderRoof::picture() const {
     picture.sheets.push_back(sheetMesh(*sheet_, *cloth_));
     viewer::Box roof = box(*roof_);
     roof.albedo = {0.15f, 0.07f, 0.05f};
+    roof.material = viewer::Material::wood;
     picture.boxes.push_back(roof);
     showPosts(picture);
-    showRain(picture);
-    for (const FallingDrops::Flight& drop : drops_->inFlight()) {
-        const Eigen::Vector3f place = drop.position.cast<float>();
-        picture.rods.push_back({place, place, 0.008f, {0.25f, 0.42f, 0.62f}});
-    }
+    effects_->show(picture);
     // From the right, so that the shadow of the roof falls beside the sheet and only water darkens it.
     picture.towardsSun = {0.62f, 0.75f, 0.90f};
     picture.camera.target = {-0.02f, 1.28f, 0};
@@ -220,27 +225,6 @@ void HalfUnderRoof::showPosts(viewer::Picture& picture) const {
         const Eigen::Vector3f corner(roof.centre.x() - roof.halfExtents.x() + 0.05f, roof.centre.y(),
                                      z * (roof.halfExtents.z() - 0.05f));
         picture.rods.push_back({{corner.x(), 0, corner.z()}, corner, 0.03f, wood});
-    }
-}
-
-/// Streaks in place of the drops, which are too many and too quick to see. Only for the eye.
-void HalfUnderRoof::showRain(viewer::Picture& picture) const {
-    if (!(rainTime() > 0)) return;
-    constexpr int streaks = 260;
-    constexpr float length = 0.07f, speed = 6.5f, top = 2.53f;
-    std::mt19937 random(1);
-    std::uniform_real_distribution<float> across(-0.95f, 0.95f), phase(0, top);
-    const viewer::Box roof = box(*roof_);
-    for (int i = 0; i < streaks; ++i) {
-        const float x = across(random), z = across(random), start = phase(random);
-        const float fallen = std::fmod(start + speed * float(rainTime()), top);
-        const float y = top - fallen;
-        const bool overRoof = x < 0 && std::abs(x - roof.centre.x()) < roof.halfExtents.x() + 0.01f &&
-                              std::abs(z) < roof.halfExtents.z() + 0.01f;
-        const bool overSheet = std::abs(x) < side / 2 && std::abs(z) < side / 2;
-        const float floor = overRoof ? float(height + roofAbove) : overSheet ? float(height) : 0.0f;
-        if (y < floor) continue;
-        picture.rods.push_back({{x, y, z}, {x, y + length, z}, 0.0007f, {0.45f, 0.52f, 0.60f}});
     }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../timed_scene.h"
+#include "../water_effects.h"
 
 namespace drench::demo {
 
@@ -38,7 +39,6 @@ class HalfUnderRoof final : public TimedScene {
     double sag() const;
     double brought() const { return broughtBy(*rain_, *cloth_); }  // kg
     std::vector<double> reportRow() const;
-    void showRain(viewer::Picture& picture) const;
     void showPosts(viewer::Picture& picture) const;
 
     int nodes_;  // along each side
@@ -47,6 +47,7 @@ class HalfUnderRoof final : public TimedScene {
     std::unique_ptr<WetCloth> cloth_;
     Rain* rain_ = nullptr;
     std::unique_ptr<FallingDrops> drops_;
+    std::unique_ptr<WaterEffects> effects_;
     double openAreaTime_ = 0;  // m2 s of open ground since the rain began
     Table table_;              // every five seconds, for the report
 };

@@ -63,6 +63,7 @@ class Slide::Lane {
         picture.sheets.push_back(sheetMesh(cloth_.body(), cloth_.wet()));
         viewer::Box slope = box(*slope_);
         slope.albedo = {0.055f, 0.075f, 0.085f};
+        slope.material = viewer::Material::paint;
         picture.boxes.push_back(slope);
         const btTransform& place = slope_->getWorldTransform();
         for (const double x : {-laneWidth / 2 + 0.04, laneWidth / 2 - 0.04}) {

@@ -191,6 +191,7 @@ void Spill::showTable(viewer::Picture& picture) const {
     const Eigen::Vector3f wood(0.30f, 0.19f, 0.11f);
     viewer::Box top = box(*table_);
     top.albedo = wood;
+    top.material = viewer::Material::wood;
     // Cloth bends round the edge in straight pieces, which would let the edge peep through.
     top.halfExtents.array() -= 0.008f;
     picture.boxes.push_back(top);
@@ -201,13 +202,17 @@ void Spill::showTable(viewer::Picture& picture) const {
 }
 
 void Spill::showJug(viewer::Picture& picture) const {
-    const Eigen::Vector3f china(0.75f, 0.74f, 0.70f), water(0.35f, 0.47f, 0.58f);
+    const Eigen::Vector3f china(0.75f, 0.74f, 0.70f);
     const Eigen::Vector3f spout = jug_->origin.cast<float>();
-    picture.rods.push_back(
-        {spout + Eigen::Vector3f(0.08f, 0.02f, 0), spout + Eigen::Vector3f(0.20f, 0.09f, 0), 0.055f, china});
-    picture.rods.push_back(
-        {spout + Eigen::Vector3f(0.02f, 0.01f, 0), spout + Eigen::Vector3f(0.10f, 0.02f, 0), 0.016f, china});
-    picture.rods.push_back({spout, {spout.x(), float(tableHeight), spout.z()}, 0.009f, water});
+    picture.rods.push_back({spout + Eigen::Vector3f(0.08f, 0.02f, 0),
+                            spout + Eigen::Vector3f(0.20f, 0.09f, 0), 0.055f, china,
+                            viewer::Material::paint});
+    picture.rods.push_back({spout + Eigen::Vector3f(0.02f, 0.01f, 0),
+                            spout + Eigen::Vector3f(0.10f, 0.02f, 0), 0.016f, china,
+                            viewer::Material::paint});
+    // The thread of water, as one drop that is drawn out over all of its way while the picture is exposed.
+    const float fall = spout.y() - float(tableHeight);
+    picture.drops.push_back({spout - Eigen::Vector3f(0, fall / 2, 0), {0, -120 * fall, 0}, 0.005f});
 }
 
 std::optional<std::string> Spill::moment() const {
