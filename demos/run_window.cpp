@@ -41,7 +41,7 @@ class WindowRun {
 
   private:
     void restart() {
-        scene_ = makeScene(options_.scene, options_.sceneOptions);
+        scene_ = makeScene(options_);
         log_ = std::make_unique<WaterLog>(*scene_);
         reported_ = false;
     }
