@@ -69,12 +69,6 @@ std::optional<std::string> StagedScene::moment() const {
     return momentName();
 }
 
-std::vector<SceneSheet> StagedScene::sheets() {
-    std::vector<SceneSheet> list;
-    for (SceneCloth* sheet : stage_->sheets()) list.push_back({sheet->name(), &sheet->wet()});
-    return list;
-}
-
 std::vector<Column> StagedScene::reportColumns() const {
     std::vector<Column> list = {{"time_s", 2}};
     for (const Column& column : columns()) list.push_back(column);
