@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "described_scene.h"
 #include "scenes/cling.h"
 #include "scenes/clothesline.h"
 #include "scenes/drape.h"
@@ -73,6 +74,10 @@ std::unique_ptr<Scene> makeScene(const std::string& name, const SceneOptions& op
         if (each.runsDeformable) able += (able.empty() ? "" : ", ") + each.name;
     throw std::invalid_argument("scene '" + name +
                                 "' does not run in the deformable world; these do: " + able);
+}
+
+std::unique_ptr<Scene> makeScene(const SceneDescription& description, const SceneOptions& options) {
+    return std::make_unique<DescribedScene>(description, options);
 }
 
 }  // namespace drench::demo
