@@ -11,6 +11,7 @@
 #include <memory>
 #include <sstream>
 
+#include "frame_name.h"
 #include "runners.h"
 #include "viewer/image.h"
 #include "viewer/offscreen_context.h"
@@ -93,12 +94,6 @@ class ProgressLine {
     bool terminal_ = stderrIsTerminal();
     int shown_ = -1;
 };
-
-std::string frameName(int frame) {
-    std::ostringstream name;
-    name << "frame-" << std::setw(6) << std::setfill('0') << frame;
-    return name.str();
-}
 
 /// out.csv becomes out-water.csv.
 std::filesystem::path besideFor(const std::filesystem::path& csv) {

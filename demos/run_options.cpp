@@ -75,6 +75,7 @@ ParsedOptions parseOptions(int argc, char** argv) {
     app.add_option("--world", world,
                    "Bullet's soft-rigid world, or its deformable one, with Bullet's own solver [soft-rigid]")
         ->check(CLI::IsMember({"soft-rigid", "deformable"}));
+    app.add_flag("--quit-at-end", run.quitAtEnd, "close the window when the scene has come to its end");
     app.add_option("--seed", run.sceneOptions.seed, "seed of the random numbers [1]");
 
     try {

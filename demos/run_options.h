@@ -16,6 +16,7 @@ struct RunOptions {
     bool headless = false;
     std::filesystem::path csv;     ///< empty: no file
     std::filesystem::path frames;  ///< folder for pictures; empty: none
+    bool quitAtEnd = false;        ///< closes the window when the scene has come to its end
     int every = 0;                 ///< a picture each so many frames; 0: at the scene's own moments
 };
 

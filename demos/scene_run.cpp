@@ -1,0 +1,107 @@
+#include "scene_run.h"
+
+#include <chrono>
+#include <iostream>
+
+#include "frame_name.h"
+#include "runners.h"
+#include "stage.h"
+
+namespace drench::demo {
+
+namespace {
+
+SheetReading readingOf(const SceneSheet& sheet) {
+    const WetCloth& cloth = *sheet.cloth;
+    return {sheet.name,
+            cloth.dryMass(),
+            cloth.moisture().totalPoreMass(),
+            cloth.moisture().totalFilmMass(),
+            cloth.moisture().meanSaturation(),
+            cloth.waterSpeed(),
+            cloth.ledger()};
+}
+
+/// Between two totals; sheets that have come since begin at nothing.
+FrameTimes difference(const FrameTimes& from, const FrameTimes& to) {
+    if (to.water < from.water) return to;
+    return {to.supply - from.supply, to.water - from.water,       to.laws - from.laws,
+            to.air - from.air,       to.contacts - from.contacts, to.solver - from.solver};
+}
+
+/// A finished scene has simulated all its frames, and a report may take its time.
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+SceneRun::SceneRun(const SceneRequest& request, const RunOptions& options, int number)
+    : options_(options),
+      name_(request.name),
+      number_(number),
+      scene_(request.make()),
+      log_(*scene_),
+      before_(timesSoFar()) {}
+
+FrameTimes SceneRun::timesSoFar() const {
+    FrameTimes sum;
+    for (const SceneSheet& sheet : scene_->sheets()) {
+        const StepTimes times = sheet.cloth->times();
+        sum.supply += times.supply;
+        sum.water += times.water;
+        sum.laws += times.laws;
+        sum.air += times.air;
+        sum.contacts += times.contacts;
+        sum.solver += times.solver;
+    }
+    return sum;
+}
+
+void SceneRun::advance(const Pointer& pointer) {
+    const auto start = std::chrono::steady_clock::now();
+    hand_.act(graspables(*scene_), pointer, Scene::frameTime);
+    scene_->advance();
+    const FrameTimes totals = timesSoFar();
+    times_ = difference(before_, totals);
+    times_.all = secondsSince(start);
+    before_ = totals;
+    ++frames_;
+    if (ended_) return;
+    log_.note(*scene_);
+    if (scene_->finished()) end();
+}
+
+void SceneRun::end() {
+    ended_ = true;
+    scene_->report(std::cout);
+    std::cout << std::flush;
+    writeResult(options_, *scene_, log_);
+    writeDrawings(options_, *scene_);
+}
+
+std::optional<std::string> SceneRun::pictureName() const {
+    if (options_.frames.empty()) return std::nullopt;
+    if (const auto moment = scene_->moment()) return moment;
+    if (options_.every > 0 && frames_ % options_.every == 0) return frameName(frames_);
+    return std::nullopt;
+}
+
+Snapshot SceneRun::snapshot() const {
+    Snapshot now;
+    now.scene = name_;
+    now.run = number_;
+    now.frame = frames_;
+    now.time = frames_ * Scene::frameTime;
+    now.picture = scene_->picture();
+    now.status = scene_->status();
+    now.progress = scene_->progress();
+    now.ended = ended_;
+    for (const SceneSheet& sheet : scene_->sheets()) now.sheets.push_back(readingOf(sheet));
+    const std::vector<Stage*> stages = scene_->stages();
+    if (!stages.empty()) now.weather = stages[0]->weather();
+    now.times = times_;
+    return now;
+}
+
+}  // namespace drench::demo
