@@ -12,7 +12,7 @@ namespace {
 constexpr double reach = 0.05;         // m, around the point that was picked
 constexpr double fastest = 6;          // m/s, of the hand
 constexpr double fastestReleased = 3;  // m/s
-constexpr double mostStrain = 0.25;    // of links that leave the hold
+constexpr double mostStrain = 0.2;     // of links that leave the hold
 constexpr double clearance = 0.015;    // m, from solids
 constexpr double followingFrames = 2;  // in which the hand would reach a pointer that stands still
 
@@ -65,6 +65,7 @@ bool Grasp::isHeld(const btSoftBody::Node* node) const {
 
 Grasp::Pull Grasp::pull() const {
     Pull pull;
+    int links = 0;
     const btSoftBody& body = *sheet_.body;
     for (int l = 0; l < body.m_links.size(); ++l) {
         const btSoftBody::Link& link = body.m_links[l];
@@ -72,11 +73,13 @@ Grasp::Pull Grasp::pull() const {
         if (link.m_bbending || first == isHeld(link.m_n[1])) continue;
         const btVector3 way = (link.m_n[1]->m_x - link.m_n[0]->m_x) * btScalar(first ? 1 : -1);
         const double strain = double(way.length() / link.m_rl) - 1;
-        if (strain <= 0) continue;
         pull.strain = std::max(pull.strain, strain);
+        if (strain > 0) pull.towards += way.normalized() * btScalar(strain);
         pull.length = double(link.m_rl);
-        pull.towards += way.normalized() * btScalar(strain);
+        pull.following += link.m_n[first ? 1 : 0]->m_v;
+        ++links;
     }
+    if (links > 0) pull.following /= btScalar(links);
     if (!pull.towards.fuzzyZero()) pull.towards.normalize();
     return pull;
 }
@@ -96,12 +99,11 @@ void Grasp::follow(const Pointer& pointer, double frameTime) {
     const btVector3 way = target(pointer) - centre_;
     btVector3 velocity = limited(way / btScalar(followingFrames * frameTime), fastest);
     const Pull by = pull();
-    const double tautness = by.strain / mostStrain;
-    const btScalar along = velocity.dot(by.towards);
-    if (along < 0) velocity -= by.towards * along * btScalar(std::min(1.0, tautness));
-    if (tautness > 1)
-        velocity +=
-            by.towards * btScalar((by.strain - mostStrain) * by.length / (followingFrames * frameTime));
+    const double slack = (mostStrain - by.strain) * by.length / frameTime;
+    // No faster than the cloth around follows and can still be stretched.
+    velocity = by.following + limited(velocity - by.following, mostStrain * by.length / frameTime);
+    const btScalar away = -velocity.dot(by.towards);
+    if (double(away) > slack) velocity += by.towards * btScalar(double(away) - slack);
     velocity_ = limited(keptFromSolids(velocity, frameTime), fastest);
     centre_ += velocity_ * btScalar(frameTime);
     for (const Held& held : held_) {

@@ -32,9 +32,10 @@ class Grasp {
     };
     /// How the links that leave the hold pull at it.
     struct Pull {
-        double strain = 0;                       // of the most strained one
-        double length = 0;                       // of one at rest, m
-        btVector3 towards = btVector3(0, 0, 0);  // unit length, or zero
+        btVector3 following = btVector3(0, 0, 0);  // mean velocity of their far ends, m/s
+        double strain = 0;                         // of the most strained one
+        double length = 0;                         // of one at rest, m
+        btVector3 towards = btVector3(0, 0, 0);    // unit length, or zero
     };
 
     btVector3 target(const Pointer& pointer) const;
