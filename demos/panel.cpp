@@ -80,12 +80,13 @@ void Panel::note(const Snapshot& snapshot) {
     water_.add(waterOf(snapshot));
 }
 
-void Panel::showReadings(const Snapshot& snapshot) const {
+void Panel::showReadings(const Snapshot& snapshot, const std::string& notice) const {
     ImGui::Text("%.0f pictures/s, %.0f frames/s simulated", double(ImGui::GetIO().Framerate),
                 snapshot.framesPerSecond);
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("%s", renderer_.c_str());
     ImGui::PopTextWrapPos();
+    if (!notice.empty()) ImGui::TextWrapped("%s", notice.c_str());
     if (ImGui::CollapsingHeader("water, the last minute", ImGuiTreeNodeFlags_DefaultOpen)) water_.draw(90);
     if (ImGui::CollapsingHeader("time of a frame", ImGuiTreeNodeFlags_DefaultOpen))
         times_.draw(70, averagedFrames);
@@ -120,7 +121,8 @@ bool Panel::show(const Snapshot& snapshot, PanelState& state, Simulation& simula
 
     ImGui::SetNextWindowPos({screen.x - margin, top}, ImGuiCond_Always, {1, 0});
     ImGui::SetNextWindowSizeConstraints(least, most);
-    if (ImGui::Begin("readings", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) showReadings(snapshot);
+    if (ImGui::Begin("readings", nullptr, ImGuiWindowFlags_AlwaysAutoResize))
+        showReadings(snapshot, state.notice);
     ImGui::End();
     return restart;
 }

@@ -25,7 +25,7 @@ class Panel {
 
   private:
     void note(const Snapshot& snapshot);
-    void showReadings(const Snapshot& snapshot) const;
+    void showReadings(const Snapshot& snapshot, const std::string& notice) const;
 
     std::string renderer_;
     double drawTime_ = 0;  // s

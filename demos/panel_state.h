@@ -20,6 +20,7 @@ struct PanelState {
     Tool tool = Tool::hand;
     bool shown = true;
     bool helpShown = false;
+    std::string notice;  ///< to be seen beside the readings; empty: none
 };
 
 /// Chooses a scene, with the fabric that suits it unless the user has chosen one.

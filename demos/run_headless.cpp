@@ -4,6 +4,7 @@
 #include <unistd.h>
 #endif
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <iomanip>
@@ -11,7 +12,9 @@
 #include <memory>
 #include <sstream>
 
+#include "film.h"
 #include "frame_name.h"
+#include "picture_size.h"
 #include "runners.h"
 #include "viewer/image.h"
 #include "viewer/offscreen_context.h"
@@ -21,8 +24,6 @@ namespace drench::demo {
 
 namespace {
 
-constexpr int pictureWidth = 1280;
-constexpr int pictureHeight = 720;
 constexpr int sideWidth = 480, sideHeight = 600;  // of pictures side by side
 
 /// Draws and keeps the pictures of a run.
@@ -33,6 +34,7 @@ class Album {
     /// Draws a picture and writes it under `name`.
     /// @return the time that drawing took, s
     double add(const viewer::Picture& picture, const std::string& name) {
+        context_.makeCurrent();  // a film has another
         if (images_.empty())
             renderer_.capture(picture, pictureWidth, pictureHeight);  // the first one compiles shaders
         const auto before = std::chrono::steady_clock::now();
@@ -44,6 +46,7 @@ class Album {
     }
 
     void addSideBySide(const Scene& scene) {
+        context_.makeCurrent();
         std::vector<viewer::Image> row;
         for (const viewer::Picture& picture : scene.sideBySide())
             row.push_back(renderer_.capture(picture, sideWidth, sideHeight));
@@ -107,6 +110,8 @@ std::filesystem::path besideFor(const std::filesystem::path& csv) {
 int runHeadless(Scene& scene, const RunOptions& options) {
     std::unique_ptr<Album> album;
     if (!options.frames.empty()) album = std::make_unique<Album>(options.frames);
+    std::unique_ptr<Film> film;
+    if (!options.record.empty()) film = std::make_unique<Film>(options.record, std::max(1, options.every));
 
     ProgressLine progress;
     WaterLog log(scene);
@@ -114,6 +119,7 @@ int runHeadless(Scene& scene, const RunOptions& options) {
         scene.advance();
         log.note(scene);
         progress.show(scene);
+        if (film) film->add(scene.picture());
         if (!album) continue;
         if (const auto moment = scene.moment())
             scene.noteDrawTime(album->add(scene.picture(), *moment));
@@ -131,6 +137,7 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     const auto failures = scene.failures();
     for (const std::string& failure : failures) std::cerr << "check failed: " << failure << '\n';
     std::cout << (failures.empty() ? "\ncheck passed\n" : "\ncheck failed\n");
+    if (film && !film->finish()) return 2;
     return failures.empty() ? 0 : 1;
 }
 
@@ -140,6 +147,7 @@ void checkTargets(const RunOptions& options) {
         checkWritable(besideFor(options.csv));
     }
     if (!options.frames.empty()) checkWritable(options.frames / "picture.png");
+    if (!options.record.empty()) Recorder::check(options.record);
 }
 
 void writeDrawings(const RunOptions& options, const Scene& scene) {

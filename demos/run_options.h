@@ -1,6 +1,7 @@
 // The command line of drench-demo.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -17,7 +18,10 @@ struct RunOptions {
     std::filesystem::path csv;     ///< empty: no file
     std::filesystem::path frames;  ///< folder for pictures; empty: none
     bool quitAtEnd = false;        ///< closes the window when the scene has come to its end
-    int every = 0;                 ///< a picture each so many frames; 0: at the scene's own moments
+    std::filesystem::path record;  ///< film to make; empty: none
+    bool timings = false;          ///< says when the first picture came, and how many a second
+    std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();  ///< of the program
+    int every = 0;  ///< a picture each so many frames; 0: at the scene's own moments
 };
 
 /// What the command line asks for, or the exit status at once: 0 after --help or --list, 2 for arguments that

@@ -1,10 +1,12 @@
 #include "window_run.h"
 
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 
 #include "panel_groups.h"
+#include "picture_size.h"
 #include "viewer/image.h"
 #include "viewer/picking.h"
 
@@ -12,8 +14,15 @@ namespace drench::demo {
 
 namespace {
 
-constexpr int pictureWidth = 1280;
-constexpr int pictureHeight = 720;
+/// The first of "NAME-1.ENDING", "NAME-2.ENDING" ... that is not there yet.
+std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& name,
+                               const std::string& ending) {
+    std::filesystem::path file;
+    int number = 0;
+    do file = folder / (name + "-" + std::to_string(++number) + ending);
+    while (std::filesystem::exists(file));
+    return file;
+}
 
 SceneRequest requestOf(const PanelState& state) {
     return {state.scene, [name = state.scene, options = state.options] { return makeScene(name, options); }};
@@ -38,7 +47,10 @@ WindowRun::WindowRun(const RunOptions& options)
       state_(stateFor(options)),
       window_(pictureWidth, pictureHeight, "Drench: " + options.scene),
       simulation_(requestOf(state_), options_),
-      panel_(window_.rendererName()) {}
+      panel_(window_.rendererName()),
+      pictures_(options_.started) {
+    if (!options_.record.empty()) startFilm(options_.record);
+}
 
 int WindowRun::loop() {
     while (window_.isOpen()) {
@@ -50,8 +62,14 @@ int WindowRun::loop() {
         draw();
         keepPictures();
         window_.endFrame();
+        if (snapshot_ && !snapshot_->picture.sheets.empty()) pictures_.note();
         if (options_.quitAtEnd && snapshot_ && (snapshot_->ended || !snapshot_->trouble.empty()))
             window_.requestClose();
+    }
+    endFilm();
+    if (options_.timings) {
+        std::cerr << window_.rendererName() << ": ";
+        pictures_.report(std::cerr);
     }
     return exitStatus();
 }
@@ -77,6 +95,9 @@ void WindowRun::obey(viewer::Key key) {
             return restart();
         case viewer::Key::close:
             return window_.requestClose();
+        case viewer::Key::record:
+            if (film_) return endFilm();
+            return startFilm(freeName(pictureFolder(), "film", ".mp4"));
         case viewer::Key::screenshot:
             return takeScreenshot();
         case viewer::Key::panel:
@@ -137,25 +158,75 @@ void WindowRun::draw() {
 }
 
 void WindowRun::keepPictures() {
-    for (const Keepsake& keepsake : simulation_.takeKeepsakes()) {
-        if (keepsake.name.empty()) continue;
-        const std::filesystem::path file = options_.frames / (keepsake.name + ".png");
-        writePng(file, renderer_.capture(pictureOf(*keepsake.snapshot), pictureWidth, pictureHeight));
-        std::cerr << "wrote " << file.string() << '\n';
+    for (const Keepsake& keepsake : simulation_.takeKeepsakes()) keep(keepsake);
+}
+
+void WindowRun::keep(const Keepsake& keepsake) {
+    const viewer::Image image = renderer_.capture(pictureOf(*keepsake.snapshot), pictureWidth, pictureHeight);
+    if (!keepsake.name.empty()) write(options_.frames / (keepsake.name + ".png"), image);
+    if (!keepsake.filmed || !film_) return;
+    try {
+        film_->add(image);
+    } catch (const std::exception& problem) {
+        loseFilm(problem.what());
     }
+}
+
+void WindowRun::startFilm(const std::filesystem::path& file) {
+    try {
+        film_ = std::make_unique<Recorder>(file, pictureWidth, pictureHeight, 1 / Scene::frameTime);
+        filmFile_ = file;
+        simulation_.setFilmed(true);
+        state_.notice = "films to " + file.string();
+    } catch (const std::exception& problem) {
+        loseFilm(problem.what());
+    }
+}
+
+void WindowRun::endFilm() {
+    simulation_.setFilmed(false);
+    if (!film_) return;
+    try {
+        film_->finish();
+        std::cerr << "wrote " << filmFile_.string() << '\n';
+        state_.notice.clear();
+        film_.reset();
+    } catch (const std::exception& problem) {
+        loseFilm(problem.what());
+    }
+}
+
+void WindowRun::loseFilm(const std::string& why) {
+    simulation_.setFilmed(false);
+    film_.reset();
+    filmLost_ = true;
+    state_.notice = why;
+    std::cerr << "drench-demo: " << why << std::endl;
 }
 
 void WindowRun::takeScreenshot() {
     if (!snapshot_) return;
-    const std::filesystem::path folder = options_.frames.empty() ? "." : options_.frames;
-    std::filesystem::path file;
-    do file = folder / ("screenshot-" + std::to_string(++screenshots_) + ".png");
-    while (std::filesystem::exists(file));
-    writePng(file, renderer_.capture(pictureOf(*snapshot_), pictureWidth, pictureHeight));
-    std::cerr << "wrote " << file.string() << '\n';
+    write(freeName(pictureFolder(), "screenshot", ".png"),
+          renderer_.capture(pictureOf(*snapshot_), pictureWidth, pictureHeight));
+}
+
+std::filesystem::path WindowRun::pictureFolder() const {
+    return options_.frames.empty() ? "." : options_.frames;
+}
+
+/// A full disk ends no simulation.
+void WindowRun::write(const std::filesystem::path& file, const viewer::Image& image) {
+    try {
+        writePng(file, image);
+        std::cerr << "wrote " << file.string() << '\n';
+    } catch (const std::exception& problem) {
+        state_.notice = problem.what();
+        std::cerr << "drench-demo: " << problem.what() << std::endl;
+    }
 }
 
 int WindowRun::exitStatus() const {
+    if (filmLost_) return 2;
     if (renderer_.glErrors() == 0) return 0;
     std::cerr << "drench-demo: OpenGL reported " << renderer_.glErrors()
               << " errors; the pictures may be wrong, and a newer graphics driver may help\n";

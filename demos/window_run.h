@@ -1,10 +1,13 @@
 // A scene in a window.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "panel.h"
+#include "picture_count.h"
+#include "recorder.h"
 #include "run_options.h"
 #include "simulation.h"
 #include "viewer/renderer.h"
@@ -29,6 +32,12 @@ class WindowRun {
     void useMouse();
     void draw();
     void keepPictures();
+    void keep(const Keepsake& keepsake);
+    void startFilm(const std::filesystem::path& file);
+    void endFilm();
+    void loseFilm(const std::string& why);
+    void write(const std::filesystem::path& file, const viewer::Image& image);
+    std::filesystem::path pictureFolder() const;
     void takeScreenshot();
     void restart();
     viewer::Picture pictureOf(const Snapshot& snapshot);
@@ -40,10 +49,13 @@ class WindowRun {
     Simulation simulation_;  // makes its scene while the renderer compiles its shaders
     viewer::Renderer renderer_;
     Panel panel_;
+    PictureCount pictures_;
     std::shared_ptr<const Snapshot> snapshot_;  // the newest that was seen
     std::string cameraOf_;                      // the scene that chose the camera
     bool onCloth_ = false;                      // where the left button went down
-    int screenshots_ = 0;
+    std::unique_ptr<Recorder> film_;
+    std::filesystem::path filmFile_;
+    bool filmLost_ = false;
 };
 
 }  // namespace drench::demo
