@@ -229,8 +229,12 @@ class WetCloth {
     double content(int node) const;
     /// Diffuse colour of a node.
     Colour albedo(int node) const;
+    /// Share of the light that passes the cloth at a node, 0 to 1; see `WetLaws::transmittance`.
+    double transmittance(int node) const;
     /// How much of a node shines like water, 0 to 1; see `WetLaws::gloss`.
     double gloss(int node) const;
+    /// What the sheet is made of.
+    const Fabric& fabric() const;
     /// All stores of all nodes.
     const Moisture& moisture() const;
     /// What came and where it went.

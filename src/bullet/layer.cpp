@@ -87,12 +87,13 @@ std::vector<Eigen::Vector2d> nodeCoordinates(const ClothMesh& mesh) {
 
 }  // namespace
 
-WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const Fabric& fabric,
+WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const Fabric& aFabric,
                        const SheetSettings& settings)
     : world(checkedSoftWorld(aWorld)),
       body(sheet),
       stepping(settings.stepping),
       waterSpeed(checkedWaterSpeed("SheetSettings::waterSpeed", settings.waterSpeed)),
+      fabric(aFabric),
       mechanics(checkedMechanics(world, body, fabric, settings)),
       mesh(mechanics.mesh),
       coordinates(nodeCoordinates(mesh)),

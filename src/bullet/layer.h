@@ -91,6 +91,7 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     int objectsChecked = 0;  // collision objects in the world when it was last looked through for planes
     Air air;
 
+    const Fabric fabric;
     SheetMechanics mechanics;
     const ClothMesh& mesh;
     std::vector<Eigen::Vector2d> coordinates;  // of the nodes

@@ -111,10 +111,17 @@ Colour WetCloth::albedo(int node) const {
     return layer_->laws.albedo(saturation(node));
 }
 
+double WetCloth::transmittance(int node) const {
+    return layer_->laws.transmittance(saturation(node));
+}
+
 double WetCloth::gloss(int node) const {
     return WetLaws::gloss(layer_->moisture.filmThickness(layer_->checkedNode(node)));
 }
 
+const Fabric& WetCloth::fabric() const {
+    return layer_->fabric;
+}
 const Moisture& WetCloth::moisture() const {
     return layer_->moisture;
 }
