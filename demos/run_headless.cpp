@@ -16,6 +16,8 @@
 #include "frame_name.h"
 #include "picture_size.h"
 #include "runners.h"
+#include "scene_file.h"
+#include "stage.h"
 #include "viewer/image.h"
 #include "viewer/offscreen_context.h"
 #include "viewer/renderer.h"
@@ -107,6 +109,20 @@ std::filesystem::path besideFor(const std::filesystem::path& csv) {
 
 }  // namespace
 
+std::unique_ptr<Scene> makeScene(const RunOptions& options) {
+    if (options.described) return makeScene(*options.described, options.sceneOptions);
+    return makeScene(options.scene, options.sceneOptions);
+}
+
+void writeScene(const RunOptions& options, Scene& scene) {
+    if (options.saved.empty()) return;
+    const std::vector<Stage*> stages = scene.stages();
+    if (stages.size() != 1)
+        throw std::runtime_error("the scene '" + options.scene + "' is played in " +
+                                 std::to_string(stages.size()) + " worlds, and a scene file holds one");
+    saveScene(options.saved, stages.front()->describe());
+}
+
 int runHeadless(Scene& scene, const RunOptions& options) {
     std::unique_ptr<Album> album;
     if (!options.frames.empty()) album = std::make_unique<Album>(options.frames);
@@ -131,9 +147,14 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     scene.report(std::cout);
     writeResult(options, scene, log);
     writeDrawings(options, scene);
+    writeScene(options, scene);
     if (album) album->addSideBySide(scene);
     if (album) album->writeContactSheet();
 
+    if (!options.sceneOptions.water) {
+        std::cout << "\nnot checked: a dry run has no result of its own\n";
+        return 0;
+    }
     const auto failures = scene.failures();
     for (const std::string& failure : failures) std::cerr << "check failed: " << failure << '\n';
     std::cout << (failures.empty() ? "\ncheck passed\n" : "\ncheck failed\n");
@@ -146,6 +167,7 @@ void checkTargets(const RunOptions& options) {
         checkWritable(options.csv);
         checkWritable(besideFor(options.csv));
     }
+    if (!options.saved.empty()) checkWritable(options.saved);
     if (!options.frames.empty()) checkWritable(options.frames / "picture.png");
     if (!options.record.empty()) Recorder::check(options.record);
 }

@@ -12,10 +12,12 @@ namespace drench::demo {
 
 /// How to run which scene.
 struct RunOptions {
-    std::string scene;
+    std::string scene;                          ///< a name on the list, or that of the scene file
+    std::optional<SceneDescription> described;  ///< what the scene file says; none: a scene on the list
     SceneOptions sceneOptions;
     bool headless = false;
     std::filesystem::path csv;     ///< empty: no file
+    std::filesystem::path saved;   ///< scene file for the state at the end; empty: none
     std::filesystem::path frames;  ///< folder for pictures; empty: none
     bool quitAtEnd = false;        ///< closes the window when the scene has come to its end
     std::filesystem::path record;  ///< film to make; empty: none

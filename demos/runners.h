@@ -6,6 +6,14 @@
 
 namespace drench::demo {
 
+/// Makes the scene that the options name or describe.
+/// @throws std::invalid_argument as the functions of that name in scene.h
+std::unique_ptr<Scene> makeScene(const RunOptions& options);
+
+/// Writes the scene file that the options ask for: the scene as it is now.
+/// @throws std::runtime_error for a scene that a scene file cannot hold
+void writeScene(const RunOptions& options, Scene& scene);
+
 /// Runs a scene to its end without a window: progress on stderr, the result on stdout and in files.
 /// @return the exit status: 0, 1 if the scene's check fails, or 2 if its film is not whole
 int runHeadless(Scene& scene, const RunOptions& options);

@@ -34,6 +34,13 @@ class SceneCloth {
     const WetCloth& wet() const { return *wet_; }
     const Fabric& fabric() const { return fabric_; }
 
+    /// What it was made from; nothing is said there of a sheet of another shape.
+    const SheetDescription& madeFrom() const { return description_; }
+    /// Whether its fabric is that ready one.
+    bool isMadeOf(const std::string& preset) const {
+        return description_.fabric.like == preset && description_.fabric.changes.empty();
+    }
+
     /// Rate at which it loses velocity, 1/s.
     double damping() const { return description_.damping; }
     void setDamping(double rate) { description_.damping = rate; }

@@ -93,6 +93,7 @@ struct SolidDescription {
     std::string name;
     Shape shape = Shape::ball;
     bool touches = true;                         ///< false: only to look at
+    bool seen = true;                            ///< false: only to touch
     Eigen::Vector3d position{0, 0, 0};           ///< of its centre; the surface of ground is at its y
     double radius = 0.3;                         ///< of a ball or capsule
     Eigen::Vector3d halfExtents{0.5, 0.5, 0.5};  ///< of a box

@@ -59,6 +59,7 @@ SolidDescription StageSolid::describe() const {
 }
 
 void StageSolid::show(viewer::Picture& picture) const {
+    if (!description_.seen) return;
     const SolidDescription now = describe();
     const Eigen::Vector3f place = now.position.cast<float>();
     const Eigen::Quaternionf turn = now.turn.cast<float>();
