@@ -18,8 +18,10 @@ Nozzle nozzleFor(const Pointer& pointer, double aimDistance) {
     const Eigen::Vector3d right = pointer.forward.cast<double>().cross(Eigen::Vector3d::UnitY()).normalized();
     const double distance = std::min(nozzleDistance, 0.6 * aimDistance);
     Nozzle nozzle;
-    nozzle.origin = aim - distance * (0.8 * sight - 0.45 * right + 0.4 * Eigen::Vector3d::UnitY());
-    nozzle.direction = (aim - nozzle.origin).normalized();
+    nozzle.halfAngle = 0.08;
+    nozzle.rate = 0.1;
+    nozzle.place = aim - distance * (0.8 * sight - 0.45 * right + 0.4 * Eigen::Vector3d::UnitY());
+    nozzle.direction = (aim - nozzle.place).normalized();
     return nozzle;
 }
 
@@ -55,7 +57,7 @@ void Hand::drag(const std::vector<Graspable>& sheets, const Pointer& pointer, do
 void Hand::spray(const std::vector<Graspable>& sheets, const Pointer& pointer, double frameTime) {
     const auto hit = firstHit(sheets, pointer.ray);
     nozzle_ = nozzleFor(pointer, hit ? hit->distance : farthestAim / 2);
-    flight_ = hit ? (Eigen::Vector3d(hit->point.x(), hit->point.y(), hit->point.z()) - nozzle_->origin).norm()
+    flight_ = hit ? (Eigen::Vector3d(hit->point.x(), hit->point.y(), hit->point.z()) - nozzle_->place).norm()
                   : farthestAim / 2;
     hose_.spray(sheets, *nozzle_, frameTime);
 }

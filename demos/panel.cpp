@@ -86,7 +86,8 @@ void Panel::showReadings(const Snapshot& snapshot, const std::string& notice) co
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled("%s", renderer_.c_str());
     ImGui::PopTextWrapPos();
-    if (!notice.empty()) ImGui::TextWrapped("%s", notice.c_str());
+    for (const std::string& each : {notice, snapshot.notice})
+        if (!each.empty()) ImGui::TextWrapped("%s", each.c_str());
     if (ImGui::CollapsingHeader("water, the last minute", ImGuiTreeNodeFlags_DefaultOpen)) water_.draw(90);
     if (ImGui::CollapsingHeader("time of a frame", ImGuiTreeNodeFlags_DefaultOpen))
         times_.draw(70, averagedFrames);
@@ -115,6 +116,8 @@ bool Panel::show(const Snapshot& snapshot, PanelState& state, Simulation& simula
         showWeatherGroup(snapshot, state, simulation);
         showWaterGroup(snapshot, state, simulation);
         showToolGroup(state);
+        restart |= showViewGroup(state, simulation);
+        restart |= showFileGroup(state, simulation);
         ImGui::PopItemWidth();
     }
     ImGui::End();

@@ -16,6 +16,15 @@ void showWeatherGroup(const Snapshot& snapshot, PanelState& state, Simulation& s
 /// The speed of water, and water at a stroke.
 void showWaterGroup(const Snapshot& snapshot, PanelState& state, Simulation& simulation);
 
+/// What the picture shows of the sheets. @return whether the scene is to begin anew
+bool showViewGroup(PanelState& state, Simulation& simulation);
+
+/// Shows the sheets in the next way, round the end.
+void nextView(PanelState& state, Simulation& simulation);
+
+/// Saves the scene to a file, or loads one. @return whether the scene is to begin anew
+bool showFileGroup(PanelState& state, Simulation& simulation);
+
 /// Gives all sheets so many tenths of what their pores hold, 0 to 10.
 void chooseWetting(PanelState& state, int tenths, Simulation& simulation);
 

@@ -12,7 +12,8 @@ bool pickScene(PanelState& state) {
     bool changed = false;
     if (!ImGui::BeginCombo("scene", state.scene.c_str(), ImGuiComboFlags_HeightLarge)) return false;
     for (const SceneEntry& entry : scenes()) {
-        if (ImGui::Selectable(entry.name.c_str(), entry.name == state.scene) && entry.name != state.scene) {
+        const bool isShown = entry.name == state.scene && !state.described;
+        if (ImGui::Selectable(entry.name.c_str(), isShown) && !isShown) {
             chooseScene(state, entry);
             changed = true;
         }
@@ -24,7 +25,8 @@ bool pickScene(PanelState& state) {
 
 bool pickFabric(PanelState& state) {
     bool changed = false;
-    if (!ImGui::BeginCombo("fabric", state.options.fabric.c_str())) return false;
+    const std::string& shown = state.options.fabric;
+    if (!ImGui::BeginCombo("fabric", shown.empty() ? "scene's own" : shown.c_str())) return false;
     for (const std::string& candidate : fabrics::names())
         if (ImGui::Selectable(candidate.c_str(), candidate == state.options.fabric) &&
             candidate != state.options.fabric) {
@@ -107,6 +109,7 @@ bool showSceneGroup(const Snapshot& snapshot, PanelState& state, Simulation& sim
 
 void chooseScene(PanelState& state, const SceneEntry& entry) {
     state.scene = entry.name;
+    state.described.reset();
     if (!state.fabricChosen) state.options.fabric = entry.fabric;
     if (!entry.runsDeformable && state.options.world == WorldKind::deformable) {
         state.options.world = WorldKind::softRigid;

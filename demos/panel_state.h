@@ -1,8 +1,10 @@
 // What the user has chosen in the window.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "pictures.h"
 #include "pointer.h"
 #include "scene.h"
 #include "scene_description.h"
@@ -18,6 +20,10 @@ struct PanelState {
     double waterSpeed = 1;      ///< the same
     int wetting = -1;           ///< the step of wetting chosen last, tenths; -1: none
     Tool tool = Tool::hand;
+    View view = View::beauty;
+    bool split = false;                         ///< dry and wet side by side
+    std::optional<SceneDescription> described;  ///< a scene from a file; none: one of `scenes()`
+    std::string file = "scene.json";            ///< to save to and load from
     bool shown = true;
     bool helpShown = false;
     std::string notice;  ///< to be seen beside the readings; empty: none

@@ -36,13 +36,13 @@ void pourWater(Simulation& simulation) {
     if (ImGui::Button("soak: +50 g/m2"))
         simulation.post([](Scene& scene) {
             constexpr double portion = 0.05;  // kg/m2
-            for (const SceneSheet& sheet : scene.sheets()) sheet.cloth->soak(portion);
+            for (WetCloth* const cloth : wettable(scene)) cloth->soak(portion);
         });
 }
 
 /// The steps of the experiment: dry, and tenths of saturation.
 void showWettingRow(PanelState& state, Simulation& simulation) {
-    ImGui::TextUnformatted("water in the pores, tenths of what they hold");
+    ImGui::TextUnformatted("tenths of what the pores hold:");
     for (int tenths = 0; tenths <= 10; ++tenths) {
         if (tenths > 0) ImGui::SameLine(0, 2);
         const bool chosen = state.wetting == tenths;

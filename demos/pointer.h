@@ -18,6 +18,7 @@ enum class Tool {
 struct Pointer {
     bool pressed = false;  ///< the left button, on cloth or with a tool other than the hand
     Tool tool = Tool::hand;
+    bool onTwin = false;                                  ///< over the dry twin of the scene
     viewer::Ray ray;                                      ///< from the eye through the pointer, m
     Eigen::Vector3f forward = -Eigen::Vector3f::UnitZ();  ///< of the camera, unit length
 };

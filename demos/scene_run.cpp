@@ -2,9 +2,11 @@
 
 #include <chrono>
 #include <iostream>
+#include <stdexcept>
 
 #include "frame_name.h"
 #include "runners.h"
+#include "scene_file.h"
 #include "stage.h"
 
 namespace drench::demo {
@@ -29,7 +31,6 @@ FrameTimes difference(const FrameTimes& from, const FrameTimes& to) {
             to.air - from.air,       to.contacts - from.contacts, to.solver - from.solver};
 }
 
-/// A finished scene has simulated all its frames, and a report may take its time.
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -41,6 +42,7 @@ SceneRun::SceneRun(const SceneRequest& request, const RunOptions& options, int n
       name_(request.name),
       number_(number),
       scene_(request.make()),
+      twin_(request.makeTwin ? request.makeTwin() : nullptr),
       log_(*scene_),
       before_(timesSoFar()) {}
 
@@ -60,8 +62,14 @@ FrameTimes SceneRun::timesSoFar() const {
 
 void SceneRun::advance(const Pointer& pointer) {
     const auto start = std::chrono::steady_clock::now();
-    hand_.act(graspables(*scene_), pointer, Scene::frameTime);
+    Pointer elsewhere = pointer;
+    elsewhere.pressed = false;
+    hand_.act(graspables(*scene_), pointer.onTwin ? elsewhere : pointer, Scene::frameTime);
     scene_->advance();
+    if (twin_) {
+        twinHand_.act(graspables(*twin_), pointer.onTwin ? pointer : elsewhere, Scene::frameTime);
+        twin_->advance();
+    }
     const FrameTimes totals = timesSoFar();
     times_ = difference(before_, totals);
     times_.all = secondsSince(start);
@@ -78,6 +86,36 @@ void SceneRun::end() {
     std::cout << std::flush;
     writeResult(options_, *scene_, log_);
     writeDrawings(options_, *scene_);
+    writeScene(options_, *scene_);
+}
+
+std::vector<Scene*> SceneRun::scenes() {
+    if (twin_) return {scene_.get(), twin_.get()};
+    return {scene_.get()};
+}
+
+void SceneRun::save(const std::filesystem::path& file) {
+    const std::vector<Stage*> stages = scene_->stages();
+    if (stages.size() != 1)
+        throw std::runtime_error("this scene is played in " + std::to_string(stages.size()) +
+                                 " worlds, and a scene file holds one");
+    saveScene(file, stages[0]->describe());
+}
+
+/// In a view, the scene's meshes of wet sheets get their values; what else there is keeps its looks.
+viewer::Picture SceneRun::pictureOf(Scene& scene) const {
+    viewer::Picture picture = scene.picture();
+    if (view_ == View::beauty) return picture;
+    std::vector<const WetCloth*> cloths;
+    for (const Graspable& sheet : graspables(scene)) {
+        cloths.push_back(sheet.cloth);
+        const Eigen::Vector3f first = toEigen(sheet.body->m_nodes[0].m_x);
+        for (viewer::SheetMesh& mesh : picture.sheets)
+            if (int(mesh.positions.size()) == sheet.body->m_nodes.size() && mesh.positions[0] == first)
+                mesh.values = values(*sheet.body, *sheet.cloth, view_);
+    }
+    picture.legend = legend(view_, cloths);
+    return picture;
 }
 
 std::optional<std::string> SceneRun::pictureName() const {
@@ -93,7 +131,8 @@ Snapshot SceneRun::snapshot() const {
     now.run = number_;
     now.frame = frames_;
     now.time = frames_ * Scene::frameTime;
-    now.picture = scene_->picture();
+    now.picture = pictureOf(*scene_);
+    if (twin_) now.dryPicture = pictureOf(*twin_);
     now.status = scene_->status();
     now.progress = scene_->progress();
     now.ended = ended_;

@@ -1,12 +1,15 @@
 // One run of a scene with somebody at the mouse.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hand.h"
+#include "pictures.h"
 #include "run_options.h"
 #include "scene.h"
 #include "snapshot.h"
@@ -18,6 +21,8 @@ namespace drench::demo {
 struct SceneRequest {
     std::string name;
     std::function<std::unique_ptr<Scene>()> make;  ///< none: no request
+    std::function<std::unique_ptr<Scene>()>
+        makeTwin;  ///< the same without water, to run beside it; none: alone
 };
 
 /// A scene, its water log, and the user's hand in it. While nothing is done to it, its numbers are those of the same
@@ -28,7 +33,13 @@ class SceneRun {
     /// @throws what making the scene throws
     SceneRun(const SceneRequest& request, const RunOptions& options, int number);
 
-    Scene& scene() { return *scene_; }
+    /// The scene, and its dry twin if it has one.
+    std::vector<Scene*> scenes();
+    /// How pictures show the sheets from now on.
+    void setView(View view) { view_ = view; }
+    /// Writes the scene as it is now into a scene file.
+    /// @throws std::runtime_error for a scene that a scene file cannot hold, or a file that cannot be written
+    void save(const std::filesystem::path& file);
 
     /// Simulates a frame. At the scene's end it writes the report and the files that the options ask for; the scene may
     /// play on after that.
@@ -42,14 +53,18 @@ class SceneRun {
 
   private:
     FrameTimes timesSoFar() const;
+    viewer::Picture pictureOf(Scene& scene) const;
     void end();
 
     const RunOptions& options_;
     std::string name_;
     int number_;
     std::unique_ptr<Scene> scene_;
+    std::unique_ptr<Scene> twin_;
     WaterLog log_;
     Hand hand_;
+    Hand twinHand_;
+    View view_ = View::beauty;
     int frames_ = 0;
     bool ended_ = false;
     FrameTimes before_;  // totals of all sheets, as the frame began

@@ -75,6 +75,22 @@ void Simulation::setFilmed(bool filmed) {
     change([&] { orders_.filmed = filmed; });
 }
 
+void Simulation::setView(View view) {
+    // As a command, so that it is seen at once while the scene stands still.
+    change([&] {
+        orders_.view = view;
+        orders_.commands.push_back([](Scene&) {});
+    });
+}
+
+void Simulation::save(const std::filesystem::path& file) {
+    post([this, file, done = false](Scene&) mutable {
+        if (std::exchange(done, true)) return;  // it is called for the twin too
+        run_->save(file);
+        notice_ = "wrote " + file.string();
+    });
+}
+
 void Simulation::noteDrawTime(double seconds) {
     const std::lock_guard<std::mutex> lock(mutex_);
     orders_.drawTime = seconds;  // can wait for the next frame
@@ -144,10 +160,20 @@ void Simulation::carryOut(const Orders& orders) {
         change([&] { standsStill_ = false; });
     }
     if (!run_) return;
-    for (const Command& command : orders.commands) command(run_->scene());
-    if (orders.drawTime) run_->scene().noteDrawTime(*orders.drawTime);
+    for (const Command& command : orders.commands) obey(command);
+    run_->setView(orders.view);
+    if (orders.drawTime) run_->scenes()[0]->noteDrawTime(*orders.drawTime);
     if (orders.frame) run_->advance(orders.pointer);
     publish(orders);
+}
+
+void Simulation::obey(const Command& command) {
+    try {
+        for (Scene* const scene : run_->scenes()) command(*scene);
+    } catch (const std::exception& problem) {
+        notice_ = problem.what();
+        std::cerr << "drench-demo: " << notice_ << std::endl;
+    }
 }
 
 /// A simulation that runs as fast as it can makes more frames than anybody can see.
@@ -162,6 +188,7 @@ void Simulation::publish(const Orders& orders) {
     const bool filmed = orders.frame && orders.filmed;
     change([&] {
         snapshot->framesPerSecond = clock_.rate();
+        snapshot->notice = notice_;
         latest_ = snapshot;
         if (name || filmed) keepsakes_.push_back({snapshot, name.value_or(""), filmed});
     });

@@ -3,6 +3,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -46,7 +47,8 @@ class Simulation {
 
     /// Begins a new run; commands that still wait are dropped.
     void restart(SceneRequest request);
-    /// Does something to the scene before the next frame; commands keep their order.
+    /// Does something to the scene, and to its dry twin, before the next frame; commands keep their order. What they throw
+    /// stands in the snapshots' `notice`, and the scene goes on.
     void post(Command command);
     /// Where the mouse is and what it does, until told otherwise.
     void setPointer(const Pointer& pointer);
@@ -61,6 +63,10 @@ class Simulation {
     void setSpeed(double speed);
     double speed() const;
 
+    /// Shows the sheets in this way from now on.
+    void setView(View view);
+    /// Writes the scene as it is after the frame under way into a scene file; the snapshots' `notice` says how that went.
+    void save(const std::filesystem::path& file);
     /// How long the window has taken to draw a picture, s, for scenes that report it.
     void noteDrawTime(double seconds);
 
@@ -77,6 +83,7 @@ class Simulation {
         SceneRequest request;
         std::deque<Command> commands;
         Pointer pointer;
+        View view = View::beauty;
         std::optional<double> drawTime;  // s
         bool frame = false;
         bool filmed = false;
@@ -90,6 +97,7 @@ class Simulation {
     Orders takeOrders();
     void carryOut(const Orders& orders);
     void publish(const Orders& orders);
+    void obey(const Command& command);
     void fail(const std::string& what);
 
     const RunOptions options_;
@@ -109,6 +117,7 @@ class Simulation {
     // Of the thread alone.
     std::unique_ptr<SceneRun> run_;
     int runs_ = 0;
+    std::string notice_;
     FrameClock::Clock::time_point published_;
 
     std::thread thread_;  // last, as it uses all of the above

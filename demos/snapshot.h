@@ -41,6 +41,7 @@ struct Snapshot {
     int frame = 0;      ///< simulated in this run
     double time = 0;    ///< s simulated in this run
     viewer::Picture picture;
+    std::optional<viewer::Picture> dryPicture;  ///< of the dry twin, to show beside it; none: it runs alone
     std::string status;
     double progress = 0;  ///< 0 to 1
     bool ended = false;   ///< the scene has come to its end, and plays on
@@ -48,6 +49,7 @@ struct Snapshot {
     std::optional<Weather> weather;  ///< none where the scene makes its own
     FrameTimes times;
     double framesPerSecond = 0;  ///< simulated in a second of wall time, lately
+    std::string notice;          ///< what became of the last request to save; empty: none
     std::string trouble;         ///< why it stands still; empty if all is well
 };
 

@@ -1,5 +1,7 @@
 #include "wetting.h"
 
+#include "stage.h"
+
 namespace drench::demo {
 
 void wetTo(WetCloth& cloth, double saturation) {
@@ -16,8 +18,16 @@ void wetTo(WetCloth& cloth, double saturation) {
     }
 }
 
+std::vector<WetCloth*> wettable(Scene& scene) {
+    std::vector<WetCloth*> cloths;
+    for (Stage* const stage : scene.stages())
+        if (stage->hasWater())
+            for (SceneCloth* const sheet : stage->sheets()) cloths.push_back(&sheet->wet());
+    return cloths;
+}
+
 void wetTo(Scene& scene, double saturation) {
-    for (const SceneSheet& sheet : scene.sheets()) wetTo(*sheet.cloth, saturation);
+    for (WetCloth* const cloth : wettable(scene)) wetTo(*cloth, saturation);
 }
 
 }  // namespace drench::demo

@@ -3,6 +3,8 @@
 
 #include <drench/drench.h>
 
+#include <vector>
+
 #include "scene.h"
 
 namespace drench::demo {
@@ -11,7 +13,10 @@ namespace drench::demo {
 /// named "by hand".
 void wetTo(WetCloth& cloth, double saturation);
 
-/// The same for all sheets of a scene.
+/// The cloths of a scene that water may be brought to.
+std::vector<WetCloth*> wettable(Scene& scene);
+
+/// The same for all of these in a scene.
 void wetTo(Scene& scene, double saturation);
 
 }  // namespace drench::demo

@@ -24,15 +24,27 @@ std::filesystem::path freeName(const std::filesystem::path& folder, const std::s
     return file;
 }
 
+std::function<std::unique_ptr<Scene>()> makerOf(const PanelState& state, bool water) {
+    SceneOptions options = state.options;
+    options.water = options.water && water;
+    if (state.described)
+        return [described = *state.described, options] { return makeScene(described, options); };
+    return [name = state.scene, options] { return makeScene(name, options); };
+}
+
 SceneRequest requestOf(const PanelState& state) {
-    return {state.scene, [name = state.scene, options = state.options] { return makeScene(name, options); }};
+    SceneRequest request{state.scene, makerOf(state, true), nullptr};
+    if (state.split) request.makeTwin = makerOf(state, false);
+    return request;
 }
 
 PanelState stateFor(const RunOptions& options) {
     PanelState state;
     state.scene = options.scene;
     state.options = options.sceneOptions;
-    state.fabricChosen = options.sceneOptions.fabric != sceneByName(options.scene).fabric;
+    state.described = options.described;
+    state.fabricChosen =
+        !options.described && options.sceneOptions.fabric != sceneByName(options.scene).fabric;
     return state;
 }
 
@@ -110,6 +122,11 @@ void WindowRun::obey(viewer::Key key) {
         case viewer::Key::formerScene:
             chooseNeighbour(state_, key == viewer::Key::nextScene ? 1 : -1);
             return restart();
+        case viewer::Key::nextView:
+            return nextView(state_, simulation_);
+        case viewer::Key::split:
+            state_.split = !state_.split;
+            return restart();
         case viewer::Key::wetter:
         case viewer::Key::drier:
             return chooseWetting(state_, state_.wetting + (key == viewer::Key::wetter ? 1 : -1), simulation_);
@@ -124,15 +141,17 @@ void WindowRun::restart() {
 
 /// The left button takes hold of cloth where there is some, and else of the camera.
 void WindowRun::useMouse() {
-    const auto mouse = window_.mouse();
+    const bool split = snapshot_ && snapshot_->dryPicture;
+    const auto mouse = window_.mouse(split ? 2 : 1);
     Pointer pointer;
     pointer.tool = window_.isHeld(viewer::HeldKey::h)   ? Tool::hose
                    : window_.isHeld(viewer::HeldKey::d) ? Tool::towel
                                                         : state_.tool;
     if (mouse && snapshot_) {
-        if (mouse->leftWentDown) onCloth_ = meetsSheet(mouse->ray, snapshot_->picture);
+        if (mouse->leftWentDown) onCloth_ = meetsSheet(mouse->ray, pictureUnder(*mouse));
         if (!mouse->left) onCloth_ = false;
         pointer.pressed = mouse->left && (pointer.tool != Tool::hand || onCloth_);
+        pointer.onTwin = split && mouse->column == 0;
         pointer.ray = mouse->ray;
         pointer.forward = window_.camera().forward();
     } else {
@@ -142,16 +161,30 @@ void WindowRun::useMouse() {
     window_.moveCamera(!pointer.pressed);
 }
 
-viewer::Picture WindowRun::pictureOf(const Snapshot& snapshot) {
-    viewer::Picture picture = snapshot.picture;
+const viewer::Picture& WindowRun::pictureUnder(const viewer::Mouse& mouse) const {
+    return snapshot_->dryPicture && mouse.column == 0 ? *snapshot_->dryPicture : snapshot_->picture;
+}
+
+viewer::Picture WindowRun::seen(viewer::Picture picture) {
     picture.camera = window_.camera();
     return picture;
+}
+
+viewer::Image WindowRun::imageOf(const Snapshot& snapshot) {
+    if (snapshot.dryPicture)
+        return renderer_.capturePair(seen(*snapshot.dryPicture), seen(snapshot.picture), pictureWidth,
+                                     pictureHeight);
+    return renderer_.capture(seen(snapshot.picture), pictureWidth, pictureHeight);
 }
 
 void WindowRun::draw() {
     if (!snapshot_) return;
     const auto start = std::chrono::steady_clock::now();
-    renderer_.draw(pictureOf(*snapshot_), window_.framebufferWidth(), window_.framebufferHeight());
+    const int width = window_.framebufferWidth(), height = window_.framebufferHeight();
+    if (snapshot_->dryPicture)
+        renderer_.drawPair(seen(*snapshot_->dryPicture), seen(snapshot_->picture), width, height);
+    else
+        renderer_.draw(seen(snapshot_->picture), width, height);
     const double took = secondsSince(start);
     simulation_.noteDrawTime(took);
     panel_.noteDrawTime(took);
@@ -162,7 +195,7 @@ void WindowRun::keepPictures() {
 }
 
 void WindowRun::keep(const Keepsake& keepsake) {
-    const viewer::Image image = renderer_.capture(pictureOf(*keepsake.snapshot), pictureWidth, pictureHeight);
+    const viewer::Image image = imageOf(*keepsake.snapshot);
     if (!keepsake.name.empty()) write(options_.frames / (keepsake.name + ".png"), image);
     if (!keepsake.filmed || !film_) return;
     try {
@@ -206,8 +239,7 @@ void WindowRun::loseFilm(const std::string& why) {
 
 void WindowRun::takeScreenshot() {
     if (!snapshot_) return;
-    write(freeName(pictureFolder(), "screenshot", ".png"),
-          renderer_.capture(pictureOf(*snapshot_), pictureWidth, pictureHeight));
+    write(freeName(pictureFolder(), "screenshot", ".png"), imageOf(*snapshot_));
 }
 
 std::filesystem::path WindowRun::pictureFolder() const {

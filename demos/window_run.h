@@ -40,7 +40,9 @@ class WindowRun {
     std::filesystem::path pictureFolder() const;
     void takeScreenshot();
     void restart();
-    viewer::Picture pictureOf(const Snapshot& snapshot);
+    const viewer::Picture& pictureUnder(const viewer::Mouse& mouse) const;
+    viewer::Picture seen(viewer::Picture picture);
+    viewer::Image imageOf(const Snapshot& snapshot);
     int exitStatus() const;
 
     RunOptions options_;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <thread>
@@ -168,15 +169,17 @@ class Window::Contents {
                glfwGetKey(handle(), key == HeldKey::h ? GLFW_KEY_H : GLFW_KEY_D) == GLFW_PRESS;
     }
 
-    std::optional<Mouse> mouse() const {
+    std::optional<Mouse> mouse(int columns) const {
         const ImGuiIO& io = ImGui::GetIO();
         if (io.WantCaptureMouse || !hasFocus() || !(io.DisplaySize.x > 0.0f && io.DisplaySize.y > 0.0f) ||
             !ImGui::IsMousePosValid()) {
             return std::nullopt;
         }
         Mouse mouse;
-        mouse.ray = rayThrough(camera_, io.DisplaySize.x / io.DisplaySize.y, io.MousePos.x / io.DisplaySize.x,
-                               io.MousePos.y / io.DisplaySize.y);
+        const float across = static_cast<float>(columns) * io.MousePos.x / io.DisplaySize.x;
+        mouse.column = std::clamp(static_cast<int>(std::floor(across)), 0, columns - 1);
+        mouse.ray = rayThrough(camera_, io.DisplaySize.x / io.DisplaySize.y / static_cast<float>(columns),
+                               across - static_cast<float>(mouse.column), io.MousePos.y / io.DisplaySize.y);
         mouse.left = io.MouseDown[ImGuiMouseButton_Left];
         mouse.leftWentDown = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
         return mouse;
@@ -248,8 +251,8 @@ bool Window::isHeld(HeldKey key) const {
     return contents_->isHeld(key);
 }
 
-std::optional<Mouse> Window::mouse() const {
-    return contents_->mouse();
+std::optional<Mouse> Window::mouse(int columns) const {
+    return contents_->mouse(columns);
 }
 
 std::string Window::rendererName() const {

@@ -35,6 +35,8 @@ enum class HeldKey { h, d };
 // The mouse over the picture, not over ImGui's windows.
 struct Mouse {
     Ray ray;
+    // Of the pictures side by side, the one that it is over, from the left.
+    int column = 0;
     // The left button: down, and whether it went down in this frame.
     bool left = false;
     bool leftWentDown = false;
@@ -71,9 +73,9 @@ class Window {
     const std::vector<Key>& keys() const;
     // Whether a key is held now; false while the window has lost the focus or text is typed.
     bool isHeld(HeldKey key) const;
-    // Where the mouse is; none while it is over ImGui's windows or the focus is lost. A button that is held stays with the
-    // picture wherever it is moved.
-    std::optional<Mouse> mouse() const;
+    // Where the mouse is over one of so many pictures of equal width side by side; none while it is over ImGui's windows or
+    // the focus is lost. A button that is held stays with the pictures wherever it is moved.
+    std::optional<Mouse> mouse(int columns = 1) const;
     // What OpenGL draws with, as the driver names it.
     std::string rendererName() const;
     // The camera that the mouse moves; set it to look elsewhere.
