@@ -20,10 +20,10 @@ class Hand {
     /// Forgets what it holds, as the sheets are gone.
     void forget();
 
-    /// Where water leaves the hose in this frame; none while it is off.
+    /// What sprays water in this frame; none while the hose is off.
     const std::optional<Nozzle>& nozzle() const { return nozzle_; }
-    /// How far the water of the hose flies, m.
-    double flight() const { return flight_; }
+    /// Adds the hose to a picture, while it is on.
+    void show(viewer::Picture& picture) const;
 
   private:
     void drag(const std::vector<Graspable>& sheets, const Pointer& pointer, double frameTime);
@@ -33,7 +33,8 @@ class Hand {
     bool pressed_ = false;  // in the frame before
     Hose hose_;
     std::optional<Nozzle> nozzle_;
-    double flight_ = 0;
+    double flight_ = 0;  // of the water, m
+    int frames_ = 0;     // in which the hose was on
 };
 
 /// Takes water off a sheet within 6 cm of a point for `time` s, as an absorbent towel does: film within a tenth of a

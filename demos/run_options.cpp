@@ -102,6 +102,8 @@ ParsedOptions parseOptions(int argc, char** argv) {
     app.add_option("--world", world,
                    "Bullet's soft-rigid world, or its deformable one, with Bullet's own solver [soft-rigid]")
         ->check(CLI::IsMember({"soft-rigid", "deformable"}));
+    app.add_option("--size", run.windowSize, "width and height of the window [1280 720]")
+        ->check(CLI::Range(100, 16384));
     app.add_flag("--timings", run.timings,
                  "say on stderr when the window's first picture came, and how many a second");
     app.add_flag("--quit-at-end", run.quitAtEnd, "close the window when the scene has come to its end");

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "picture_size.h"
 #include "scene.h"
 
 namespace drench::demo {
@@ -19,6 +21,7 @@ struct RunOptions {
     std::filesystem::path csv;     ///< empty: no file
     std::filesystem::path saved;   ///< scene file for the state at the end; empty: none
     std::filesystem::path frames;  ///< folder for pictures; empty: none
+    std::pair<int, int> windowSize{pictureWidth, pictureHeight};  ///< in screen coordinates
     bool quitAtEnd = false;        ///< closes the window when the scene has come to its end
     std::filesystem::path record;  ///< film to make; empty: none
     bool timings = false;          ///< says when the first picture came, and how many a second

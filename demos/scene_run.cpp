@@ -103,8 +103,9 @@ void SceneRun::save(const std::filesystem::path& file) {
 }
 
 /// In a view, the scene's meshes of wet sheets get their values; what else there is keeps its looks.
-viewer::Picture SceneRun::pictureOf(Scene& scene) const {
+viewer::Picture SceneRun::pictureOf(Scene& scene, const Hand& hand) const {
     viewer::Picture picture = scene.picture();
+    hand.show(picture);
     if (view_ == View::beauty) return picture;
     std::vector<const WetCloth*> cloths;
     for (const Graspable& sheet : graspables(scene)) {
@@ -131,8 +132,8 @@ Snapshot SceneRun::snapshot() const {
     now.run = number_;
     now.frame = frames_;
     now.time = frames_ * Scene::frameTime;
-    now.picture = pictureOf(*scene_);
-    if (twin_) now.dryPicture = pictureOf(*twin_);
+    now.picture = pictureOf(*scene_, hand_);
+    if (twin_) now.dryPicture = pictureOf(*twin_, twinHand_);
     now.status = scene_->status();
     now.progress = scene_->progress();
     now.ended = ended_;

@@ -53,7 +53,7 @@ class SceneRun {
 
   private:
     FrameTimes timesSoFar() const;
-    viewer::Picture pictureOf(Scene& scene) const;
+    viewer::Picture pictureOf(Scene& scene, const Hand& hand) const;
     void end();
 
     const RunOptions& options_;

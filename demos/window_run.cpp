@@ -57,7 +57,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 WindowRun::WindowRun(const RunOptions& options)
     : options_(options),
       state_(stateFor(options)),
-      window_(pictureWidth, pictureHeight, "Drench: " + options.scene),
+      window_(options.windowSize.first, options.windowSize.second, "Drench: " + options.scene),
       simulation_(requestOf(state_), options_),
       panel_(window_.rendererName()),
       pictures_(options_.started) {

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <thread>
 
 #include "described_scene.h"
+#include "scene_file.h"
 #include "stage.h"
 
 namespace drench::demo {
@@ -29,11 +31,13 @@ SceneDescription hangingSheet() {
 }
 
 SceneRequest request(const SceneDescription& description = hangingSheet()) {
-    return {description.name, [description] {
+    return {description.name,
+            [description] {
                 SceneOptions options;
                 options.fabric.clear();
                 return makeScene(description, options);
-            }};
+            },
+            nullptr};
 }
 
 /// Waits up to ten seconds.
@@ -99,12 +103,12 @@ TEST(Simulation, DoesWhatIsPostedInOrderAlsoWhileItStandsStill) {
 
 TEST(Simulation, TellsOfTroubleAndBeginsAnew) {
     Simulation simulation(request(), {});
-    simulation.post([](Scene&) { throw std::runtime_error("the cloth is torn"); });
+    simulation.post([](Scene& scene) { scene.stages()[0]->weather().temperature = 1e6; });
     ASSERT_TRUE(comesTrue([&] {
         const auto snapshot = simulation.latest();
         return snapshot && !snapshot->trouble.empty();
     }));
-    EXPECT_EQ(simulation.latest()->trouble, "the cloth is torn");
+    EXPECT_NE(simulation.latest()->trouble.find("temperature"), std::string::npos);
     const int run = simulation.latest()->run;
     simulation.restart(request());
     EXPECT_TRUE(comesTrue([&] {
@@ -113,9 +117,53 @@ TEST(Simulation, TellsOfTroubleAndBeginsAnew) {
     }));
 }
 
+TEST(Simulation, GoesOnAfterACommandThatFails) {
+    Simulation simulation(request(), {});
+    simulation.post([](Scene&) { throw std::runtime_error("the disk is full"); });
+    ASSERT_TRUE(comesTrue([&] {
+        const auto snapshot = simulation.latest();
+        return snapshot && snapshot->notice == "the disk is full";
+    }));
+    EXPECT_TRUE(reaches(simulation, simulation.latest()->frame + 5));
+    EXPECT_TRUE(simulation.latest()->trouble.empty());
+}
+
+TEST(Simulation, HasADryTwinOfItsOwn) {
+    SceneRequest both = request();
+    both.makeTwin = [] {
+        SceneOptions options;
+        options.fabric.clear();
+        options.water = false;
+        return makeScene(hangingSheet(), options);
+    };
+    Simulation simulation(both, {});
+    ASSERT_TRUE(reaches(simulation, 20));
+    const auto snapshot = simulation.latest();
+    ASSERT_TRUE(snapshot->dryPicture.has_value());
+    EXPECT_LT(snapshot->picture.sheets[0].albedo[50].x(),
+              0.95f * snapshot->dryPicture->sheets[0].albedo[50].x());
+}
+
+TEST(Simulation, SavesTheSceneAsItIs) {
+    const auto file = std::filesystem::temp_directory_path() / "drench-simulation-test.json";
+    Simulation simulation(request(), {});
+    ASSERT_TRUE(reaches(simulation, 10));
+    simulation.save(file);
+    ASSERT_TRUE(comesTrue([&] { return simulation.latest()->notice == "wrote " + file.string(); }));
+    const SceneDescription saved = loadScene(file);
+    EXPECT_EQ(saved.name, "hanging");
+    EXPECT_GT(saved.time, 9 * Scene::frameTime);
+    ASSERT_EQ(saved.sheets.size(), 1u);
+    EXPECT_TRUE(saved.sheets[0].state.has_value());
+    simulation.save("/proc/no/such.json");
+    EXPECT_TRUE(comesTrue(
+        [&] { return simulation.latest()->notice.find("/proc/no/such.json") != std::string::npos; }));
+    std::filesystem::remove(file);
+}
+
 TEST(Simulation, TellsWhyASceneCannotBeMade) {
     Simulation simulation(
-        {"none", []() -> std::unique_ptr<Scene> { throw std::invalid_argument("no cloth"); }}, {});
+        {"none", []() -> std::unique_ptr<Scene> { throw std::invalid_argument("no cloth"); }, nullptr}, {});
     EXPECT_TRUE(comesTrue([&] {
         const auto snapshot = simulation.latest();
         return snapshot && snapshot->trouble == "no cloth";
