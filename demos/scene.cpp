@@ -27,6 +27,17 @@ std::unique_ptr<Scene> make(const SceneOptions& options) {
 
 }  // namespace
 
+std::vector<SceneSheet> Scene::sheets() {
+    std::vector<SceneSheet> list;
+    for (Stage* stage : stages())
+        for (SceneCloth* sheet : stage->sheets()) list.push_back({sheet->name(), &sheet->wet()});
+    return list;
+}
+
+double& Scene::windSpeed() {
+    return stages().front()->weather().windSpeed;
+}
+
 const std::vector<SceneEntry>& scenes() {
     static const std::vector<SceneEntry> all = {
         {"ten-steps",

@@ -75,9 +75,9 @@ class Scene {
     /// The stages that it is played on now, by which everything on them can be reached and changed between frames.
     virtual std::vector<Stage*> stages() { return {}; }
     /// The sheets there are now.
-    virtual std::vector<SceneSheet> sheets() = 0;
+    virtual std::vector<SceneSheet> sheets();
     /// Wind speed where the scene lets it blow, m/s; may be changed at any time.
-    virtual double& windSpeed() = 0;
+    virtual double& windSpeed();
 
     /// Columns of its own that the water log of each frame gets, and their values now.
     virtual std::vector<Column> columns() const { return {}; }

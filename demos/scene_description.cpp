@@ -23,6 +23,12 @@ Fabric FabricDescription::fabric() const {
     return made;
 }
 
+SolidDescription solidNamed(const SceneDescription& scene, const std::string& name) {
+    for (const SolidDescription& solid : scene.solids)
+        if (solid.name == name) return solid;
+    throw std::invalid_argument("the scene '" + scene.name + "' has no solid '" + name + "'");
+}
+
 int nodeOfPin(int number, int nodes) {
     if (number < -nodes || number >= nodes)
         throw std::invalid_argument("there is no node " + std::to_string(number) + " among " +

@@ -152,7 +152,7 @@ struct SourceDescription {
 struct SceneDescription {
     std::string name = "scene";
     std::string text;       ///< what happens, in one sentence
-    double duration = 30;   ///< s
+    double duration = 30;   ///< s, from `time` on
     double time = 0;        ///< s that have passed already
     unsigned seed = 1;      ///< of whatever is drawn by lot
     bool water = true;      ///< false: nothing brings water, and no vapour passes
@@ -165,6 +165,9 @@ struct SceneDescription {
     viewer::Camera camera;
     Eigen::Vector3d sun{-0.62, 0.75, 0.50};  ///< towards it, any length above 0
 };
+
+/// The solid of that name. @throws std::invalid_argument for a name that is not there
+SolidDescription solidNamed(const SceneDescription& scene, const std::string& name);
 
 /// The node that a pin's number means among so many along warp or weft.
 /// @throws std::invalid_argument for one that is not there

@@ -28,7 +28,7 @@ SceneDescription fitted(SceneDescription description, const SceneOptions& option
         if (options.resolution > 0 && options.resolution != sheet.nodes[0])
             setResolution(sheet, options.resolution);
     }
-    if (options.seconds > 0) description.duration = description.time + options.seconds;
+    if (options.seconds > 0) description.duration = options.seconds;
     description.seed = options.seed;
     description.solver.world = options.world;
     description.solver.solver = options.solver;
@@ -40,7 +40,7 @@ SceneDescription fitted(SceneDescription description, const SceneOptions& option
 StagedScene::StagedScene(const SceneDescription& description, const Pace& pace)
     : name_(description.name),
       pace_(pace),
-      duration_(description.duration - description.time),
+      duration_(description.duration),
       stage_(std::make_unique<Stage>(description)),
       cloths_(stage_->sheets()) {}
 
@@ -67,12 +67,6 @@ viewer::Picture StagedScene::picture() const {
 std::optional<std::string> StagedScene::moment() const {
     if (pace_.moments == 0 || !isDue(pace_.moments)) return std::nullopt;
     return momentName();
-}
-
-std::vector<SceneSheet> StagedScene::sheets() {
-    std::vector<SceneSheet> list;
-    for (SceneCloth* sheet : stage_->sheets()) list.push_back({sheet->name(), &sheet->wet()});
-    return list;
 }
 
 std::vector<Column> StagedScene::reportColumns() const {

@@ -27,8 +27,6 @@ class StagedScene : public Scene {
     viewer::Picture picture() const override;
     std::optional<std::string> moment() const override;
     std::vector<Stage*> stages() override { return {stage_.get()}; }
-    std::vector<SceneSheet> sheets() override;
-    double& windSpeed() override { return stage_->weather().windSpeed; }
     void report(std::ostream& out) const override;
     std::vector<std::string> failures() const override;
 
