@@ -7,6 +7,7 @@
 
 #include "panel_groups.h"
 #include "picture_size.h"
+#include "runners.h"
 #include "viewer/image.h"
 #include "viewer/picking.h"
 
@@ -87,10 +88,22 @@ int WindowRun::loop() {
 }
 
 void WindowRun::see() {
+    const bool wasSplit = snapshot_ && snapshot_->dryPicture;
     snapshot_ = simulation_.latest();
-    if (!snapshot_ || snapshot_->picture.sheets.empty() || snapshot_->scene == cameraOf_) return;
-    window_.camera() = snapshot_->picture.camera;
-    cameraOf_ = snapshot_->scene;
+    const bool isSplit = snapshot_ && snapshot_->dryPicture;
+    const bool isNew = snapshot_ && !snapshot_->picture.sheets.empty() && snapshot_->scene != cameraOf_;
+    if (isNew) {
+        window_.camera() = snapshot_->picture.camera;
+        cameraOf_ = snapshot_->scene;
+    }
+    stepBack(wasSplit && !isNew, isSplit);
+}
+
+/// Half a window is half as wide, and the scene should still be in it.
+void WindowRun::stepBack(bool wasSplit, bool isSplit) {
+    constexpr float farther = 1.7f;
+    if (isSplit && !wasSplit) window_.camera().distance *= farther;
+    if (wasSplit && !isSplit) window_.camera().distance /= farther;
 }
 
 void WindowRun::obeyKeys() {
@@ -263,6 +276,10 @@ int WindowRun::exitStatus() const {
     std::cerr << "drench-demo: OpenGL reported " << renderer_.glErrors()
               << " errors; the pictures may be wrong, and a newer graphics driver may help\n";
     return 1;
+}
+
+int runInWindow(const RunOptions& options) {
+    return WindowRun(options).loop();
 }
 
 }  // namespace drench::demo

@@ -27,6 +27,7 @@ class WindowRun {
 
   private:
     void see();
+    void stepBack(bool wasSplit, bool isSplit);
     void obeyKeys();
     void obey(viewer::Key key);
     void useMouse();
