@@ -4,6 +4,7 @@
 #include <unistd.h>
 #endif
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <iomanip>
@@ -11,6 +12,9 @@
 #include <memory>
 #include <sstream>
 
+#include "film.h"
+#include "frame_name.h"
+#include "picture_size.h"
 #include "runners.h"
 #include "scene_file.h"
 #include "stage.h"
@@ -22,8 +26,6 @@ namespace drench::demo {
 
 namespace {
 
-constexpr int pictureWidth = 1280;
-constexpr int pictureHeight = 720;
 constexpr int sideWidth = 480, sideHeight = 600;  // of pictures side by side
 
 /// Draws and keeps the pictures of a run.
@@ -34,6 +36,7 @@ class Album {
     /// Draws a picture and writes it under `name`.
     /// @return the time that drawing took, s
     double add(const viewer::Picture& picture, const std::string& name) {
+        context_.makeCurrent();  // a film has another
         if (images_.empty())
             renderer_.capture(picture, pictureWidth, pictureHeight);  // the first one compiles shaders
         const auto before = std::chrono::steady_clock::now();
@@ -45,6 +48,7 @@ class Album {
     }
 
     void addSideBySide(const Scene& scene) {
+        context_.makeCurrent();
         std::vector<viewer::Image> row;
         for (const viewer::Picture& picture : scene.sideBySide())
             row.push_back(renderer_.capture(picture, sideWidth, sideHeight));
@@ -96,12 +100,6 @@ class ProgressLine {
     int shown_ = -1;
 };
 
-std::string frameName(int frame) {
-    std::ostringstream name;
-    name << "frame-" << std::setw(6) << std::setfill('0') << frame;
-    return name.str();
-}
-
 /// out.csv becomes out-water.csv.
 std::filesystem::path besideFor(const std::filesystem::path& csv) {
     std::filesystem::path beside = csv;
@@ -128,6 +126,8 @@ void writeScene(const RunOptions& options, Scene& scene) {
 int runHeadless(Scene& scene, const RunOptions& options) {
     std::unique_ptr<Album> album;
     if (!options.frames.empty()) album = std::make_unique<Album>(options.frames);
+    std::unique_ptr<Film> film;
+    if (!options.record.empty()) film = std::make_unique<Film>(options.record, std::max(1, options.every));
 
     ProgressLine progress;
     WaterLog log(scene);
@@ -135,6 +135,7 @@ int runHeadless(Scene& scene, const RunOptions& options) {
         scene.advance();
         log.note(scene);
         progress.show(scene);
+        if (film) film->add(scene.picture());
         if (!album) continue;
         if (const auto moment = scene.moment())
             scene.noteDrawTime(album->add(scene.picture(), *moment));
@@ -157,6 +158,7 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     const auto failures = scene.failures();
     for (const std::string& failure : failures) std::cerr << "check failed: " << failure << '\n';
     std::cout << (failures.empty() ? "\ncheck passed\n" : "\ncheck failed\n");
+    if (film && !film->finish()) return 2;
     return failures.empty() ? 0 : 1;
 }
 
@@ -167,6 +169,7 @@ void checkTargets(const RunOptions& options) {
     }
     if (!options.saved.empty()) checkWritable(options.saved);
     if (!options.frames.empty()) checkWritable(options.frames / "picture.png");
+    if (!options.record.empty()) Recorder::check(options.record);
 }
 
 void writeDrawings(const RunOptions& options, const Scene& scene) {

@@ -91,7 +91,9 @@ ParsedOptions parseOptions(int argc, char** argv) {
         "--csv", run.csv,
         "write the water of each frame to this file; ten-steps: its result, and the water beside it");
     app.add_option("--frames", run.frames, "write pictures (PNG) into this folder");
-    app.add_option("--every", run.every, "a picture each so many frames of 1/60 s [the scene's own moments]")
+    app.add_option("--record", run.record, "make a film of the run, such as out.mp4, with ffmpeg");
+    app.add_option("--every", run.every,
+                   "a picture each so many frames of 1/60 s [the scene's own moments; of a film each frame]")
         ->check(CLI::Range(1, 1000000));
     app.add_option("--solver", solver,
                    "what moves the sheets: Drench's small steps, or stock Bullet's solver in many substeps "
@@ -100,6 +102,11 @@ ParsedOptions parseOptions(int argc, char** argv) {
     app.add_option("--world", world,
                    "Bullet's soft-rigid world, or its deformable one, with Bullet's own solver [soft-rigid]")
         ->check(CLI::IsMember({"soft-rigid", "deformable"}));
+    app.add_option("--size", run.windowSize, "width and height of the window [1280 720]")
+        ->check(CLI::Range(100, 16384));
+    app.add_flag("--timings", run.timings,
+                 "say on stderr when the window's first picture came, and how many a second");
+    app.add_flag("--quit-at-end", run.quitAtEnd, "close the window when the scene has come to its end");
     const CLI::Option* seed = app.add_option("--seed", run.sceneOptions.seed,
                                              "seed of the random numbers [1; that of a scene file]");
     app.add_flag("--dry", dry, "the same scene with nothing that brings water, and without its check");

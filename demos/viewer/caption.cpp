@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cfloat>
 #include <cmath>
 #include <filesystem>
+
+#include "viewer/caption_text.h"
+#include "viewer/legend_bar.h"
 
 namespace drench::viewer {
 
@@ -43,10 +45,8 @@ void addFont(ImFontAtlas& fonts, float pixels) {
 constexpr float lineSpacing = 1.12f;
 
 float heightOf(const std::string& line, float width) {
-    const ImFont* const font = ImGui::GetFont();
-    const char* const begin = line.c_str();
-    const float height = font->CalcTextSizeA(font->FontSize, FLT_MAX, width, begin, begin + line.size()).y;
-    return lineSpacing * std::max(height, font->FontSize);
+    const float size = ImGui::GetFont()->FontSize;
+    return lineSpacing * std::max(textSize(line, size, width).y, size);
 }
 
 float heightOf(const std::vector<std::string>& lines, float width) {
@@ -55,24 +55,11 @@ float heightOf(const std::vector<std::string>& lines, float width) {
     return height;
 }
 
-float drawLine(ImDrawList& canvas, const std::string& line, float left, float top, float width) {
-    const ImFont* const font = ImGui::GetFont();
-    const float size = font->FontSize;
-    const char* const begin = line.c_str();
-    const char* const end = begin + line.size();
-    const float rim = std::max(1.0f, size / 16.0f);
-    const auto write = [&](float right, float down, ImU32 colour) {
-        canvas.AddText(font, size, ImVec2(left + right, top + down), colour, begin, end, width);
-    };
-    const ImU32 dark = IM_COL32(10, 14, 20, 70);
-    for (const float right : {-rim, 0.0f, rim}) {
-        for (const float down : {-rim, 0.0f, rim}) {
-            write(right, down, dark);
-        }
-    }
-    write(rim, rim, IM_COL32(10, 14, 20, 150));
-    write(0.0f, 0.0f, IM_COL32(255, 255, 255, 255));
-    return top + heightOf(line, width);
+// So that a line of some thirty letters fits.
+float fontPixels(const Area& area) {
+    const float pixels =
+        std::min(static_cast<float>(area.height) / 22.0f, static_cast<float>(area.width) / 24.0f);
+    return std::clamp(std::round(pixels), 15.0f, 96.0f);
 }
 
 }  // namespace
@@ -89,22 +76,31 @@ void Caption::loadFont(float pixels) {
     fontPixels_ = pixels;
 }
 
-void Caption::draw(const std::vector<std::string>& lines, int width, int height, bool below) {
-    if (lines.empty()) {
+void Caption::draw(const Picture& picture, const Area& area) {
+    if (picture.caption.empty() && !picture.legend) {
         return;
     }
     const ImGuiSession::Use use(session_);
-    loadFont(std::clamp(std::round(static_cast<float>(height) / 22.0f), 15.0f, 96.0f));
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
+    loadFont(fontPixels(area));
+    // ImGui counts from the top: of the area, if what it draws to ends there.
+    const ImVec2 least(static_cast<float>(area.x), 0.0f);
+    const ImVec2 most(static_cast<float>(area.x + area.width), static_cast<float>(area.height));
+    ImGui::GetIO().DisplaySize = ImVec2(most.x, static_cast<float>(area.y + area.height));
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
+    ImDrawList& canvas = *ImGui::GetForegroundDrawList();
+    canvas.PushClipRect(least, most);
     const float margin = std::round(0.7f * fontPixels_);
-    const float room = std::max(io.DisplaySize.x - 2.0f * margin, fontPixels_);
-    float top = below ? io.DisplaySize.y - margin - heightOf(lines, room) : margin;
-    for (const std::string& line : lines) {
-        top = drawLine(*ImGui::GetForegroundDrawList(), line, margin, top, room);
+    const float room = std::max(most.x - least.x - 2.0f * margin, fontPixels_);
+    float top = picture.captionBelow ? most.y - margin - heightOf(picture.caption, room) : margin;
+    for (const std::string& line : picture.caption) {
+        writeText(canvas, line, ImVec2(least.x + margin, top), fontPixels_, room);
+        top += heightOf(line, room);
     }
+    if (picture.legend) {
+        drawLegend(canvas, *picture.legend, least, most, margin, picture.captionBelow);
+    }
+    canvas.PopClipRect();
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

@@ -1,22 +1,22 @@
-// Text over a picture.
+// Text and legend over a picture.
 #pragma once
 
-#include <string>
-#include <vector>
-
+#include "viewer/area.h"
 #include "viewer/imgui_session.h"
+#include "viewer/picture.h"
 
 namespace drench::viewer {
 
-// Writes lines of text at the top or the bottom left of a framebuffer, about 1/22 of its height each, white with a dark
-// rim.
+// Writes lines of text at the top or the bottom left of an area, at most 1/22 of its height each, white with a dark rim,
+// and the legend at the other end, on the right.
 class Caption {
   public:
     // Needs a current OpenGL context; throws as ImGuiSession does.
     Caption() = default;
 
-    // Draws into the bound framebuffer of width x height pixels; leaves the current ImGui context as it was.
-    void draw(const std::vector<std::string>& lines, int width, int height, bool below);
+    // Draws the caption and the legend of a picture into an area of the bound framebuffer; leaves the current ImGui
+    // context as it was.
+    void draw(const Picture& picture, const Area& area);
 
   private:
     void loadFont(float pixels);

@@ -21,21 +21,24 @@ void addBalls(FrameUniforms& uniforms, const std::vector<Ball>& balls) {
 
 }  // namespace
 
-FrameUniforms cameraUniforms(const Picture& picture, const std::vector<Ball>& balls, float aspect,
+FrameUniforms cameraUniforms(const Picture& picture, const std::vector<Ball>& balls, int width, int height,
                              const ShadowFit& shadow) {
     FrameUniforms uniforms{};
-    const Eigen::Matrix4f clipFromWorld = picture.camera.projection(aspect) * picture.camera.view();
+    const auto rows = static_cast<float>(height);
+    const Eigen::Matrix4f projection = picture.camera.projection(static_cast<float>(width) / rows);
+    const Eigen::Matrix4f clipFromWorld = projection * picture.camera.view();
     uniforms.clipFromWorld = clipFromWorld;
     // The sky needs directions only, and rays from the eye stay exact however far the far plane is.
     Eigen::Matrix4f turned = picture.camera.view();
     turned.topRightCorner<3, 1>().setZero();
-    uniforms.worldFromClip = (picture.camera.projection(aspect) * turned).inverse();
+    uniforms.worldFromClip = (projection * turned).inverse();
     uniforms.shadowFromWorld = shadow.clipFromWorld;
     uniforms.eye = packed(picture.camera.eye(), 1.0f);
     uniforms.towardsSun = packed(picture.towardsSun.normalized(), 0.0f);
     uniforms.shadowSize = {shadow.side, shadow.texel, shadow.depth, 0.0f};
     uniforms.ground[0] = picture.groundHeight;
     addBalls(uniforms, balls);
+    uniforms.lens = {projection(2, 2), projection(2, 3), 2.0f / (projection(1, 1) * rows), 0.0f};
     return uniforms;
 }
 

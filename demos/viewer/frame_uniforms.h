@@ -24,11 +24,13 @@ struct FrameUniforms {
     std::array<float, 4> ground;
     // Centre and radius of the balls that darken what is near them.
     std::array<std::array<float, 4>, mostBalls> balls;
+    // The two elements of the projection that make depth; width that a pixel sees at a distance of 1.
+    std::array<float, 4> lens;
 };
 
-// The block as the camera sees the picture, `aspect` times as wide as high, with the picture's drawable
+// The block as the camera sees the picture of width x height pixels, with the picture's drawable
 // balls.
-FrameUniforms cameraUniforms(const Picture& picture, const std::vector<Ball>& balls, float aspect,
+FrameUniforms cameraUniforms(const Picture& picture, const std::vector<Ball>& balls, int width, int height,
                              const ShadowFit& shadow);
 
 // The same block with the sun's view in place of the camera's, for drawing the shadow map.

@@ -26,6 +26,8 @@ struct SheetMesh {
     std::vector<float> gloss;
     // Three node indices each, wound alike over the whole sheet.
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    // How full of water the pores of each node are, 0 to 1; as many as positions, or empty for dry cloth.
+    std::vector<float> dampness;
     // Share of the light that passes through each node, 0 to 1; as many as positions, or empty for none.
     std::vector<float> transmittance;
     // Where each node lies in the flat cloth, metres, for its threads; as many as positions, or empty for none.

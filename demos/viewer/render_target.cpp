@@ -53,8 +53,13 @@ SceneTarget::SceneTarget(int width, int height) : width_(width), height_(height)
 
     glBindTexture(GL_TEXTURE_2D, resolvedColour_.name());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width, height, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    constexpr GLint coarsest = 6;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, coarsest);
+    glGenerateMipmap(GL_TEXTURE_2D);
     glBindTexture(GL_TEXTURE_2D, resolvedDepth_.name());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
                  nullptr);
@@ -86,6 +91,13 @@ void SceneTarget::resolveForLookup() const {
     glBindTexture(GL_TEXTURE_2D, resolvedColour_.name());
     glActiveTexture(GL_TEXTURE0);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+}
+
+void SceneTarget::resolveForBlurredLookup() const {
+    resolveForLookup();
+    glActiveTexture(GL_TEXTURE1);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glActiveTexture(GL_TEXTURE0);
 }
 
 ImageTarget::ImageTarget(int width, int height) : width_(width), height_(height) {
@@ -129,19 +141,36 @@ ShadowTarget::ShadowTarget(int resolution) : resolution_(resolution) {
     glSamplerParameteri(plain_.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
     glSamplerParameterfv(plain_.name(), GL_TEXTURE_BORDER_COLOR, farAway.data());
     glSamplerParameteri(plain_.name(), GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    glBindTexture(GL_TEXTURE_2D, passing_.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16, resolution, resolution, 0, GL_RG, GL_UNSIGNED_SHORT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(), 0);
-    glDrawBuffer(GL_NONE);
-    glReadBuffer(GL_NONE);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, passing_.name(), 0);
     requireComplete("a shadow map", resolution, resolution);
 }
 
-void ShadowTarget::bind() const {
+void ShadowTarget::begin() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glViewport(0, 0, resolution_, resolution_);
+    constexpr std::array<float, 4> nothingInTheWay{1.0f, 1.0f, 1.0f, 1.0f};
+    glClearBufferfv(GL_COLOR, 0, nothingInTheWay.data());
+    glClearBufferfv(GL_DEPTH, 0, nothingInTheWay.data());
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_MIN);
+}
+
+void ShadowTarget::end() const {
+    glBlendEquation(GL_FUNC_ADD);
+    glDisable(GL_BLEND);
 }
 
 void ShadowTarget::bindForLookup() const {
+    glActiveTexture(GL_TEXTURE4);
+    glBindTexture(GL_TEXTURE_2D, passing_.name());
     glActiveTexture(GL_TEXTURE2);
     glBindTexture(GL_TEXTURE_2D, depth_.name());
     glBindSampler(2, plain_.name());

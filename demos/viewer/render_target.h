@@ -22,6 +22,8 @@ class SceneTarget {
     // The same, and what is nearest in each pixel, and puts both where shaders find them: colour at texture unit 1,
     // depth at unit 3. Drawing goes on in this target.
     void resolveForLookup() const;
+    // The same with coarser copies of the colour, each of half the size of the one before.
+    void resolveForBlurredLookup() const;
 
     GLuint texture() const { return resolvedColour_.name(); }
     int width() const { return width_; }
@@ -55,15 +57,16 @@ class ImageTarget {
     Framebuffer framebuffer_;
 };
 
-// The depth of the scene seen from the sun.
+// The depth of the scene seen from the sun, and beside it, blended by the smaller value, what its shaders write.
 class ShadowTarget {
   public:
     // Side of the square map in pixels; throws std::runtime_error when the driver cannot provide it.
     explicit ShadowTarget(int resolution);
 
-    // Makes the following draw calls draw here.
-    void bind() const;
-    // Puts the map at texture unit 0 for comparing lookups and at unit 2 for plain ones.
+    // Clears it and makes the following draw calls draw here, blending until they draw elsewhere.
+    void begin() const;
+    void end() const;
+    // Puts the map at texture unit 0 for comparing lookups and at unit 2 for plain ones, and what was blended at unit 4.
     void bindForLookup() const;
     // Takes the plain lookup away again, which would be in the way of other users of unit 2.
     void unbind() const { glBindSampler(2, 0); }
@@ -72,6 +75,7 @@ class ShadowTarget {
   private:
     int resolution_;
     Texture depth_;
+    Texture passing_;
     Sampler plain_;
     Framebuffer framebuffer_;
 };

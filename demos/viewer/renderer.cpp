@@ -1,23 +1,19 @@
 #include "viewer/renderer.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
+#include "viewer/background_pass.h"
 #include "viewer/caption.h"
 #include "viewer/frame_uniforms.h"
 #include "viewer/gl_error_count.h"
 #include "viewer/render_target.h"
-#include "viewer/shader_program.h"
 #include "viewer/shaders_background.h"
-#include "viewer/shaders_lighting.h"
-#include "viewer/shaders_noise.h"
-#include "viewer/shaders_sheet.h"
-#include "viewer/shaders_solids.h"
-#include "viewer/shaders_water.h"
-#include "viewer/sheet_buffer.h"
-#include "viewer/sheet_rounding.h"
-#include "viewer/solids.h"
+#include "viewer/sheet_pass.h"
+#include "viewer/solid_pass.h"
+#include "viewer/water_pass.h"
 
 namespace drench::viewer {
 
@@ -60,176 +56,82 @@ void setPlainState() {
     glDepthFunc(GL_LEQUAL);
 }
 
-struct Programs {
-    ShaderProgram sheet{"sheet",
-                        {shaders::frame, shaders::sheetVertex},
-                        {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
-                         shaders::weave, shaders::sheetFragment}};
-    ShaderProgram ball{
-        "ball",
-        {shaders::frame, shaders::ballVertex},
-        {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::ballFragment}};
-    ShaderProgram rod{
-        "rod",
-        {shaders::frame, shaders::rodVertex},
-        {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::rodFragment}};
-    ShaderProgram box{
-        "box",
-        {shaders::frame, shaders::boxVertex},
-        {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::boxFragment}};
-    ShaderProgram water{"water",
-                        {shaders::frame, shaders::waterVertex},
-                        {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
-                         shaders::waterFragment}};
-    ShaderProgram ground{
-        "ground",
-        {shaders::frame, shaders::groundVertex},
-        {shaders::frame, shaders::sky, shaders::occlusion, shaders::noise, shaders::groundFragment}};
-    ShaderProgram sky{"sky",
-                      {shaders::fullScreenVertex},
-                      {shaders::frame, shaders::sky, shaders::noise, shaders::skyFragment}};
-    ShaderProgram present{"present", {shaders::fullScreenVertex}, {shaders::presentFragment}};
-    ShaderProgram sheetDepth{
-        "sheet shadow", {shaders::frame, shaders::sheetVertex}, {shaders::depthFragment}};
-    ShaderProgram ballDepth{"ball shadow", {shaders::frame, shaders::ballVertex}, {shaders::depthFragment}};
-    ShaderProgram rodDepth{"rod shadow", {shaders::frame, shaders::rodVertex}, {shaders::depthFragment}};
-    ShaderProgram boxDepth{"box shadow", {shaders::frame, shaders::boxVertex}, {shaders::depthFragment}};
-};
-
-void addCorners(std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& centre, float radius) {
-    for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3f sign((corner & 1) != 0 ? 1.0f : -1.0f, (corner & 2) != 0 ? 1.0f : -1.0f,
-                                   (corner & 4) != 0 ? 1.0f : -1.0f);
-        points.push_back(centre + radius * sign);
-    }
-}
-
-void addCorners(std::vector<Eigen::Vector3f>& points, const std::vector<Ball>& balls) {
-    for (const Ball& ball : balls) {
-        addCorners(points, ball.centre, ball.radius);
-    }
-}
-
-void addCorners(std::vector<Eigen::Vector3f>& points, const std::vector<Rod>& rods) {
-    for (const Rod& rod : rods) {
-        addCorners(points, rod.from, rod.radius);
-        addCorners(points, rod.to, rod.radius);
-    }
-}
-
-void addCorners(std::vector<Eigen::Vector3f>& points, const std::vector<Box>& boxes) {
-    for (const Box& box : boxes) {
-        // However it is turned, it lies within the ball round its corners.
-        addCorners(points, box.centre, box.halfExtents.norm());
-    }
-}
-
 }  // namespace
 
 class Renderer::Scene {
   public:
     Scene() = default;
 
-    void draw(const Picture& picture, int width, int height, unsigned framebuffer);
-    Image capture(const Picture& picture, int width, int height);
+    void draw(const Picture& picture, const Area& area, unsigned framebuffer);
+    void drawPair(const Picture& left, const Picture& right, int width, int height, unsigned framebuffer);
     int glErrors() const { return errors_.count(); }
 
   private:
     void resize(int width, int height);
-    // Returns the positions of the sheets that can be drawn.
-    std::vector<Eigen::Vector3f> uploadSheets(const std::vector<SheetMesh>& sheets);
+    // Returns points that surround all that casts a shadow.
+    std::vector<Eigen::Vector3f> upload(const Picture& picture);
     void drawShadows(const FrameUniforms& uniforms) const;
-    void drawScene(const FrameUniforms& uniforms);
-    void present(unsigned framebuffer, int width, int height) const;
+    void drawScene(const FrameUniforms& uniforms) const;
+    void present(unsigned framebuffer, const Area& area) const;
 
     GlErrorCount errors_;
-    Programs programs_;
     FrameBlock frameBlock_;
     VertexArray noAttributes_;
+    ShaderProgram present_{"present", {shaders::fullScreenVertex}, {shaders::presentFragment}};
     ShadowTarget shadow_{2048};
-    Solids balls_{capsuleMesh(96, 24)};
-    Solids rods_{capsuleMesh(20, 5)};
-    Solids boxes_{boxMesh()};
-    Solids waters_{boxMesh()};
-    std::vector<SheetBuffer> sheets_;
-    std::size_t sheetCount_ = 0;
+    SolidPass solids_;
+    BackgroundPass background_;
+    SheetPass sheets_;
+    WaterPass waters_;
     std::optional<SceneTarget> target_;
     Caption caption_;
 };
 
-std::vector<Eigen::Vector3f> Renderer::Scene::uploadSheets(const std::vector<SheetMesh>& sheets) {
-    std::vector<Eigen::Vector3f> points;
-    sheetCount_ = 0;
-    for (const SheetMesh& sheet : sheets) {
-        const auto vertices = sheetSurface(sheet);
-        if (!vertices) {
-            continue;
-        }
-        if (sheetCount_ == sheets_.size()) {
-            sheets_.emplace_back();
-        }
-        sheets_[sheetCount_++].upload(rounded(*vertices, sheet.triangles));
-        points.insert(points.end(), sheet.positions.begin(), sheet.positions.end());
-    }
-    return points;
+std::vector<Eigen::Vector3f> Renderer::Scene::upload(const Picture& picture) {
+    std::vector<Eigen::Vector3f> casters;
+    solids_.upload(picture, casters);
+    sheets_.upload(picture, casters);
+    waters_.upload(picture.waters);
+    return casters;
 }
 
 void Renderer::Scene::drawShadows(const FrameUniforms& uniforms) const {
-    shadow_.bind();
-    glClear(GL_DEPTH_BUFFER_BIT);
     frameBlock_.bind(uniforms);
-    programs_.sheetDepth.use();
-    for (std::size_t i = 0; i < sheetCount_; ++i) {
-        sheets_[i].draw();
-    }
-    programs_.ballDepth.use();
-    balls_.draw();
-    programs_.rodDepth.use();
-    rods_.draw();
-    programs_.boxDepth.use();
-    boxes_.draw();
+    shadow_.begin();
+    // Solids first: what lies behind one of them lets no sun through, sheet or not.
+    solids_.drawShadows();
+    sheets_.drawShadows();
+    shadow_.end();
 }
 
-void Renderer::Scene::drawScene(const FrameUniforms& uniforms) {
+void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
     target_->bind();
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     frameBlock_.bind(uniforms);
     shadow_.bindForLookup();
-    programs_.sheet.use();
-    for (std::size_t i = 0; i < sheetCount_; ++i) {
-        sheets_[i].draw();
+    solids_.draw();
+    const bool groundIsSeen = uniforms.eye[1] > uniforms.ground[0];
+    background_.draw(groundIsSeen);
+    if (!sheets_.empty()) {
+        target_->resolveForBlurredLookup();
+        sheets_.draw();
     }
-    programs_.ball.use();
-    balls_.draw();
-    programs_.rod.use();
-    rods_.draw();
-    programs_.box.use();
-    boxes_.draw();
-    // What covers the most pixels comes last, where most of it is hidden already.
-    glBindVertexArray(noAttributes_.name());
-    if (uniforms.eye[1] > uniforms.ground[0]) {
-        programs_.ground.use();
-        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    }
-    programs_.sky.use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
     if (!waters_.empty()) {
         target_->resolveForLookup();
-        programs_.water.use();
         waters_.draw();
     }
     shadow_.unbind();
 }
 
-void Renderer::Scene::present(unsigned framebuffer, int width, int height) const {
+void Renderer::Scene::present(unsigned framebuffer, const Area& area) const {
     target_->resolve();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, width, height);
+    glViewport(area.x, area.y, area.width, area.height);
     glDisable(GL_DEPTH_TEST);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, target_->texture());
     glBindVertexArray(noAttributes_.name());
-    programs_.present.use();
+    present_.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glActiveTexture(GL_TEXTURE0);
 }
@@ -242,36 +144,33 @@ void Renderer::Scene::resize(int width, int height) {
     }
 }
 
-void Renderer::Scene::draw(const Picture& picture, int width, int height, unsigned framebuffer) {
+void Renderer::Scene::draw(const Picture& picture, const Area& area, unsigned framebuffer) {
     requireDrawable(picture);
-    resize(width, height);
-    const std::vector<Ball> balls = drawableBalls(picture.balls);
-    const std::vector<Rod> rods = drawableRods(picture.rods);
-    const std::vector<Box> boxes = drawableBoxes(picture.boxes);
-    balls_.upload(instances(balls));
-    rods_.upload(instances(rods));
-    boxes_.upload(instances(boxes));
-    waters_.upload(instances(drawableWaters(picture.waters)));
-    std::vector<Eigen::Vector3f> casters = uploadSheets(picture.sheets);
-    addCorners(casters, balls);
-    addCorners(casters, rods);
-    addCorners(casters, boxes);
+    resize(area.width, area.height);
+    const std::vector<Eigen::Vector3f> casters = upload(picture);
     const ShadowFit shadow = fitShadow(casters, picture.towardsSun.normalized(), shadow_.resolution());
-    const float aspect = static_cast<float>(width) / static_cast<float>(height);
-    const FrameUniforms uniforms = cameraUniforms(picture, balls, aspect, shadow);
+    const FrameUniforms uniforms =
+        cameraUniforms(picture, drawableBalls(picture.balls), area.width, area.height, shadow);
 
     setPlainState();
     drawShadows(sunUniforms(uniforms, shadow));
     drawScene(uniforms);
-    present(framebuffer, width, height);
-    caption_.draw(picture.caption, width, height, picture.captionBelow);
+    present(framebuffer, area);
+    caption_.draw(picture, area);
     errors_.poll();
 }
 
-Image Renderer::Scene::capture(const Picture& picture, int width, int height) {
-    const ImageTarget target(width, height);
-    draw(picture, width, height, target.framebuffer());
-    return target.read();
+void Renderer::Scene::drawPair(const Picture& left, const Picture& right, int width, int height,
+                               unsigned framebuffer) {
+    const AreaPair areas = sideBySide(width, height);
+    draw(left, areas.left, framebuffer);
+    draw(right, areas.right, framebuffer);
+    // The line between them.
+    constexpr std::array<float, 4> paleGrey{0.85f, 0.85f, 0.85f, 1.0f};
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(areas.left.width, 0, areas.right.x - areas.left.width, height);
+    glClearBufferfv(GL_COLOR, 0, paleGrey.data());
+    glDisable(GL_SCISSOR_TEST);
 }
 
 Renderer::Renderer() {
@@ -282,13 +181,32 @@ Renderer::Renderer() {
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const Picture& picture, int width, int height, unsigned framebuffer) {
-    if (width > 0 && height > 0) {
-        scene_->draw(picture, width, height, framebuffer);
+    draw(picture, {0, 0, width, height}, framebuffer);
+}
+
+void Renderer::draw(const Picture& picture, const Area& area, unsigned framebuffer) {
+    if (area.width > 0 && area.height > 0) {
+        scene_->draw(picture, area, framebuffer);
+    }
+}
+
+void Renderer::drawPair(const Picture& left, const Picture& right, int width, int height,
+                        unsigned framebuffer) {
+    if (sideBySide(width, height).left.width > 0) {
+        scene_->drawPair(left, right, width, height, framebuffer);
     }
 }
 
 Image Renderer::capture(const Picture& picture, int width, int height) {
-    return scene_->capture(picture, width, height);
+    const ImageTarget target(width, height);
+    draw(picture, width, height, target.framebuffer());
+    return target.read();
+}
+
+Image Renderer::capturePair(const Picture& left, const Picture& right, int width, int height) {
+    const ImageTarget target(width, height);
+    drawPair(left, right, width, height, target.framebuffer());
+    return target.read();
 }
 
 int Renderer::glErrors() const {

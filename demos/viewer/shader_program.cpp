@@ -59,15 +59,21 @@ ShaderProgram::ShaderProgram(const std::string& name, std::initializer_list<std:
 
 void ShaderProgram::bindInputs() const {
     use();
-    const GLuint frame = glGetUniformBlockIndex(program_.name(), "Frame");
-    if (frame != GL_INVALID_INDEX) {
-        glUniformBlockBinding(program_.name(), frame, 0);
-    }
+    bindBlock("Frame", 0);
+    bindBlock("Sheet", 1);
     glUniform1i(glGetUniformLocation(program_.name(), "sunShadow"), 0);
     glUniform1i(glGetUniformLocation(program_.name(), "scene"), 1);
     glUniform1i(glGetUniformLocation(program_.name(), "sunDepth"), 2);
     glUniform1i(glGetUniformLocation(program_.name(), "sceneDepth"), 3);
+    glUniform1i(glGetUniformLocation(program_.name(), "sunPassing"), 4);
     glUseProgram(0);
+}
+
+void ShaderProgram::bindBlock(const char* name, GLuint binding) const {
+    const GLuint block = glGetUniformBlockIndex(program_.name(), name);
+    if (block != GL_INVALID_INDEX) {
+        glUniformBlockBinding(program_.name(), block, binding);
+    }
 }
 
 }  // namespace drench::viewer

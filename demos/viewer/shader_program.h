@@ -9,8 +9,8 @@
 
 namespace drench::viewer {
 
-// A vertex and a fragment shader, linked. Its uniform block Frame stands at binding 0; its samplers
-// sunShadow, scene, sunDepth and sceneDepth at the texture units 0 to 3.
+// A vertex and a fragment shader, linked. Its uniform blocks Frame and Sheet stand at the bindings 0 and 1; its samplers
+// sunShadow, scene, sunDepth, sceneDepth and sunPassing at the texture units 0 to 4.
 class ShaderProgram {
   public:
     // Joins each list of source pieces behind a #version 330 line. Throws std::runtime_error with the
@@ -23,6 +23,7 @@ class ShaderProgram {
 
   private:
     void bindInputs() const;
+    void bindBlock(const char* name, GLuint binding) const;
 
     GlObject<ProgramKind> program_;
 };

@@ -76,6 +76,7 @@ void main() {
 
 // Linear light to sRGB bytes, with half a step of dither so that the sky has no bands.
 inline constexpr char presentFragment[] = R"(
+in vec2 screen;
 uniform sampler2D scene;
 out vec4 colour;
 
@@ -86,7 +87,7 @@ vec3 encoded(vec3 light) {
 }
 
 void main() {
-    vec3 light = clamp(texelFetch(scene, ivec2(gl_FragCoord.xy), 0).rgb, 0.0, 1.0);
+    vec3 light = clamp(texelFetch(scene, ivec2((0.5 * screen + 0.5) * vec2(textureSize(scene, 0))), 0).rgb, 0.0, 1.0);
     float dither = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
     colour = vec4(encoded(light) + dither / 255.0, 1.0);
 }

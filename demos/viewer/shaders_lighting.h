@@ -14,6 +14,7 @@ layout(std140) uniform Frame {
     vec4 shadowSize;
     vec4 ground;
     vec4 balls[8];
+    vec4 lens;
 };
 )";
 
@@ -55,6 +56,13 @@ vec3 toneMapped(vec3 light) {
     vec3 excess = max(exposed - knee, 0.0) / (1.0 - knee);
     return min(exposed, knee) + (1.0 - knee) * (1.0 - exp(-excess));
 }
+
+// The light that toneMapped made such a pixel of.
+vec3 beforeToneMapping(vec3 shown) {
+    const float knee = 0.5;
+    vec3 excess = -log(1.0 - clamp((shown - knee) / (1.0 - knee), 0.0, 0.995));
+    return (min(shown, knee) + (1.0 - knee) * excess) / 1.14;
+}
 )";
 
 // How much of the sun (sunVisible) and of the sky (openness) reaches a point.
@@ -62,6 +70,8 @@ inline constexpr char occlusion[] = R"(
 uniform sampler2DShadow sunShadow;
 // The same map without the comparison.
 uniform sampler2D sunDepth;
+// Share of the sun that sheets let through, and the depth of the nearest solid.
+uniform sampler2D sunPassing;
 
 // A dither angle for each pixel that turns the sampling pattern, so that bands become fine grain.
 float pixelAngle() {
@@ -84,7 +94,9 @@ float penumbra(vec3 map, float start) {
     float blockers = 0.0;
     float depths = 0.0;
     for (int i = 0; i < taps; ++i) {
-        float depth = texture(sunDepth, map.xy + search / shadowSize.x * pattern(i, taps, start)).r;
+        // Closer together in the middle, so that what is thin is not missed.
+        float reach = search * sqrt((float(i) + 0.5) / float(taps));
+        float depth = texture(sunDepth, map.xy + reach / shadowSize.x * pattern(i, taps, start)).r;
         float blocks = step(depth, min(map.z, 0.99999));
         blockers += blocks;
         depths += blocks * depth;
@@ -115,10 +127,20 @@ float sunVisible(vec3 position, vec3 normal) {
     // Ground beyond the far plane of the map is still behind everything that casts a shadow.
     float depth = min(map.z, 0.99999);
     float visible = 0.0;
+    vec2 throughSheets = vec2(0.0, 1e-4);
     for (int i = 0; i < taps; ++i) {
-        visible += texture(sunShadow, vec3(map.xy + radius * pattern(i, taps, start), depth));
+        vec2 at = map.xy + radius * pattern(i, taps, start);
+        float lit = texture(sunShadow, vec3(at, depth));
+        visible += lit;
+        if (i % 3 == 0) {
+            vec2 passing = texture(sunPassing, at).xy;
+            // Where there is no sheet at all, a solid is in the way.
+            passing.x *= step(passing.x, 0.999) * step(depth, passing.y + 0.0005);
+            throughSheets += (1.0 - lit) * vec2(passing.x, 1.0);
+        }
     }
-    return visible / float(taps);
+    visible /= float(taps);
+    return visible + (1.0 - visible) * throughSheets.x / throughSheets.y;
 }
 
 // The share of the sky that the balls leave open, seen from a surface facing `normal`.

@@ -3,48 +3,150 @@
 
 namespace drench::viewer::shaders {
 
+// The uniform block of sheet_uniforms.h.
+inline constexpr char sheetBlock[] = R"(
+layout(std140) uniform Sheet {
+    vec4 clothBounds;
+    vec4 threading;
+    vec4 legend;
+    vec4 legendColours[9];
+};
+)";
+
 inline constexpr char sheetVertex[] = R"(
 layout(location = 0) in vec3 nodePosition;
 layout(location = 1) in vec3 nodeNormal;
 layout(location = 2) in vec3 nodeAlbedo;
-layout(location = 3) in float nodeGloss;
-layout(location = 4) in float nodeHollow;
+layout(location = 3) in vec3 nodeWater;
+layout(location = 4) in vec2 nodeShape;
 layout(location = 5) in vec2 nodeCloth;
 out vec3 position;
 out vec3 normal;
 out vec3 albedo;
 out float gloss;
+out float dampness;
+out float transmittance;
 out float hollow;
+out float value;
 out vec2 cloth;
 
 void main() {
     position = nodePosition;
     normal = nodeNormal;
     albedo = nodeAlbedo;
-    gloss = nodeGloss;
-    hollow = nodeHollow;
+    gloss = nodeWater.x;
+    dampness = nodeWater.y;
+    transmittance = nodeWater.z;
+    hollow = nodeShape.x;
+    value = nodeShape.y;
     cloth = nodeCloth;
     gl_Position = clipFromWorld * vec4(nodePosition, 1.0);
 }
 )";
 
-// The thread pattern, from uneven slubs of a few centimetres down to single threads; each scale fades out
-// before a pixel becomes too wide for it.
-inline constexpr char weave[] = R"(
-float weavePattern(vec2 at) {
-    float pixel = max(length(dFdx(at)), length(dFdy(at)));
-    float pattern = 0.0;
-    float threads = 90.0;
+// What is seen through a sheet: the scene without sheets, blurred by the way behind the sheet.
+inline constexpr char seeThrough[] = R"(
+uniform sampler2D scene;
+uniform sampler2D sceneDepth;
+
+// Share of the light let through that keeps its way: exp(-S h) over the transmittance 1 / (1 + S h).
+float clearness(float transmittance) {
+    return exp(1.0 - 1.0 / max(transmittance, 0.02)) / max(transmittance, 0.02);
+}
+
+// The light from what lies behind, and in w how far behind it lies, metres.
+vec4 lightBehind(float clear) {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float away = lens.y / (2.0 * texelFetch(sceneDepth, pixel, 0).r - 1.0 + lens.x);
+    float gap = max(away - 1.0 / gl_FragCoord.w, 0.0);
+    float spread = 0.05 + 0.5 * (1.0 - clear);
+    float radius = clamp(gap * spread / (lens.z * away), 0.0, 64.0);
+    vec2 size = vec2(textureSize(scene, 0));
+    float level = max(log2(max(radius, 1.0)) - 0.5, 0.0);
+    vec3 sum = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
-        float kept = 1.0 - smoothstep(0.25, 0.6, pixel * threads);
-        if (kept > 0.0) {
-            float warp = valueNoise(at * threads * vec2(1.0, 0.07));
-            float weft = valueNoise(at * threads * vec2(0.07, 1.0));
-            pattern += kept * (warp + weft);
-        }
-        threads *= 2.6;
+        vec2 offset = 0.7 * radius * pattern(i, 4, 0.7);
+        sum += textureLod(scene, (gl_FragCoord.xy + offset) / size, level).rgb;
     }
-    return pattern;
+    return vec4(beforeToneMapping(0.25 * sum), gap);
+}
+)";
+
+// Light on cloth: diffuse from its front, through it from behind, fibres that catch light at its rim while it is dry,
+// and the mirror of a film where water stands on it.
+inline constexpr char sheetLight[] = R"(
+// Fuzz after Estevez and Kulla (2017), with the visibility of Neubelt and Pettineo (2013), times pi.
+float fuzz(vec3 normal, vec3 towardsEye, float facingSun, float facingEye) {
+    const float inverseWidth = 1.0 / 0.45;
+    float facingHalf = dot(normal, normalize(towardsEye + towardsSun.xyz));
+    float sine = sqrt(max(1.0 - facingHalf * facingHalf, 0.0));
+    float density = 0.5 * (2.0 + inverseWidth) * pow(sine, inverseWidth);
+    return density / (4.0 * (facingSun + facingEye - facingSun * facingEye) + 1e-3);
+}
+
+// The layer of Kubelka and Munk with the absorption that its albedo tells, of a transmittance that is without any.
+vec3 passingDye(vec3 albedo, float transmittance) {
+    // Scattered light takes a longer way through the dye than straight across.
+    float scattering = 2.0 * (1.0 / max(transmittance, 1e-3) - 1.0);
+    vec3 a = 1.0 + (1.0 - albedo) * (1.0 - albedo) / (2.0 * max(albedo, 1e-3));
+    vec3 b = sqrt(a * a - 1.0) + 1e-4;
+    vec3 grown = exp(min(b * scattering, 40.0));
+    return 2.0 * b / ((a + b) * grown + (b - a) / grown);
+}
+
+struct Cloth {
+    vec3 position;
+    // With threads and creases, and of the film over them.
+    vec3 normal;
+    vec3 filmNormal;
+    vec3 albedo;
+    float transmittance;
+    // Share that a film covers, and its roughness.
+    float film;
+    float roughness;
+    // 1 where fibres stand off, 0 where water lays them.
+    float dryness;
+    float openness;
+};
+
+vec3 diffuseLight(Cloth c, vec3 sun, float towards) {
+    vec3 front = sun * max(towards, 0.0) + ambientLight(c.normal) * c.openness;
+    vec3 back = sun * max(-towards, 0.0) + ambientLight(-c.normal) * c.openness;
+    vec3 passing = min(passingDye(c.albedo, c.transmittance), 1.0 - c.albedo);
+    float clear = clearness(c.transmittance);
+    vec4 behind = lightBehind(clear);
+    // What touches the cloth is seen however much light scatters on the way, but gets its light through it.
+    float touching = exp(-behind.w / 0.006);
+    behind.rgb *= mix(1.0, mix(c.transmittance, 1.0, 0.3), touching);
+    return c.albedo * front + passing * mix(back, behind.rgb, mix(clear, 1.0, touching));
+}
+
+vec3 clothLight(Cloth c) {
+    vec3 towardsEye = normalize(eye.xyz - c.position);
+    float facingEye = max(dot(c.normal, towardsEye), 0.02);
+    float towards = dot(c.normal, towardsSun.xyz);
+    float facingSun = max(towards, 0.0);
+    vec3 sun = sunLight * sunVisible(c.position, c.filmNormal);
+    vec3 colour = diffuseLight(c, sun, towards);
+
+    float rim = pow(1.0 - facingEye, 3.0);
+    float fibres = 0.10 * c.dryness;
+    vec3 haze = fibres * sqrt(c.albedo);
+    colour *= 1.0 - fibres * rim;
+    colour += haze * (sun * facingSun * fuzz(c.normal, towardsEye, facingSun, facingEye) +
+                      rim * c.openness * ambientLight(c.normal));
+
+    Surface film;
+    film.normal = c.filmNormal;
+    film.reflectance = 0.02;
+    film.roughness = c.roughness;
+    float filmFacingEye = max(dot(c.filmNormal, towardsEye), 0.02);
+    float filmFacingSun = max(dot(c.filmNormal, towardsSun.xyz), 0.0);
+    float mirror = 0.02 + (fresnel(0.02, filmFacingEye) - 0.02) * (1.0 - c.roughness);
+    colour *= 1.0 - c.film * mirror;
+    colour += c.film * mirror * c.openness * mirroredLight(reflect(-towardsEye, c.filmNormal), c.roughness);
+    colour += c.film * sun * filmFacingSun * sunGlint(film, towardsEye, filmFacingSun, filmFacingEye);
+    return colour;
 }
 )";
 
@@ -53,24 +155,64 @@ in vec3 position;
 in vec3 normal;
 in vec3 albedo;
 in float gloss;
+in float dampness;
+in float transmittance;
 in float hollow;
+in float value;
 in vec2 cloth;
 out vec4 colour;
 
+// The normal of a surface that slopes by `slope` along the material coordinates.
+vec3 sloped(vec3 upright, vec2 slope, vec3 rightwards, vec3 upwards, vec2 clothRight, vec2 clothUp) {
+    vec3 first = cross(upwards, upright);
+    vec3 second = cross(upright, rightwards);
+    float area = dot(rightwards, first);
+    vec3 gradient = sign(area) * (first * dot(slope, clothRight) + second * dot(slope, clothUp));
+    return normalize(abs(area) * upright - gradient);
+}
+
+// An even colour map, with enough light and shade that the shape is seen.
+vec3 valueColour(vec3 upright) {
+    float share = clamp((value - legend.x) / (legend.y - legend.x), 0.0, 1.0) * 8.0;
+    int lower = min(int(share), 7);
+    vec3 mapped = mix(legendColours[lower].rgb, legendColours[lower + 1].rgb, share - float(lower));
+    float wrapped = 0.5 + 0.5 * dot(upright, normalize(towardsSun.xyz + normalize(eye.xyz - position)));
+    return mapped * mix(0.45, 1.0, wrapped);
+}
+
 void main() {
     float side = gl_FrontFacing ? 1.0 : -1.0;
-    Surface s;
-    s.position = position;
-    s.normal = side * normalize(normal);
-    float dryness = 1.0 - 0.6 * gloss;
-    s.albedo = albedo * (1.0 + 0.10 * dryness * weavePattern(cloth));
-    s.reflectance = mix(0.012, 0.02, gloss);
-    s.roughness = mix(0.9, 0.27, gloss);
-    s.translucency = mix(0.30, 0.34, gloss);
+    vec3 upright = side * normalize(normal);
+    if (legend.z > 0.5) {
+        colour = vec4(valueColour(upright), 1.0);
+        return;
+    }
+    vec3 rightwards = dFdx(position), upwards = dFdy(position);
+    vec2 clothRight = dFdx(cloth), clothUp = dFdy(cloth);
+    float pixel = max(max(length(clothRight), length(clothUp)), 1e-7);
+    float dryness = 1.0 - smoothstep(0.05, 0.6, dampness);
+    Relief relief = clothRelief(cloth, pixel, mix(0.35, 1.0, dryness));
+    Hem sewn = hemAt(cloth, pixel);
+    vec2 slope = side * (relief.slope + sewn.slope);
+
+    Cloth c;
+    c.position = position;
+    c.normal = sloped(upright, slope, rightwards, upwards, clothRight, clothUp);
+    // A thick film levels the threads under it.
+    c.filmNormal = sloped(upright, mix(0.75, 0.12, gloss) * slope, rightwards, upwards, clothRight, clothUp);
+    float pale = threading.y > 0.5 && threading.y < 1.5 ? 1.0 : mix(0.75, 1.0, dryness);
+    c.albedo = clamp(albedo * (1.0 + pale * relief.shade) * (1.0 + sewn.shade), 0.0, 0.97);
+    c.transmittance = mix(transmittance, transmittance / (2.0 - transmittance), sewn.folded);
+    // While little water stands on the cloth it lies in patches, between the highest threads.
+    float patches = smoothstep(0.0, 0.5, 1.4 * gloss - 0.2 + 2.0 * relief.shade);
+    float menisci = 0.35 * smoothstep(0.1, 0.6, dampness);
+    c.film = max(patches * smoothstep(0.0, 0.15, gloss), menisci);
+    c.roughness = mix(mix(0.50, 0.36, menisci), 0.19, gloss) + (1.0 - gloss) * relief.rough;
+    c.dryness = dryness;
     float fold = clamp(side * hollow * 0.09, -0.3, 1.0);
-    s.openness = (1.0 - 0.5 * max(fold, 0.0)) * opennessAmongBalls(position, s.normal) *
-                 opennessAboveGround(position, s.normal);
-    colour = vec4(toneMapped(shaded(s)), 1.0);
+    c.openness = (1.0 - 0.5 * max(fold, 0.0)) * opennessAmongBalls(position, upright) *
+                 opennessAboveGround(position, upright);
+    colour = vec4(toneMapped(clothLight(c)), 1.0);
 }
 )";
 

@@ -146,9 +146,4 @@ void main() {
 }
 )";
 
-// For the shadow map, where depth is all that counts.
-inline constexpr char depthFragment[] = R"(
-void main() {}
-)";
-
 }  // namespace drench::viewer::shaders

@@ -5,6 +5,7 @@
 
 #include "viewer/gl_object.h"
 #include "viewer/sheet_rounding.h"
+#include "viewer/sheet_uniforms.h"
 
 namespace drench::viewer {
 
@@ -18,14 +19,16 @@ class SheetBuffer {
         attribute(0, 3, offsetof(SheetVertex, position));
         attribute(1, 3, offsetof(SheetVertex, normal));
         attribute(2, 3, offsetof(SheetVertex, albedo));
-        attribute(3, 1, offsetof(SheetVertex, gloss));
-        attribute(4, 1, offsetof(SheetVertex, hollow));
+        attribute(3, 3, offsetof(SheetVertex, gloss));   // with dampness and transmittance
+        attribute(4, 2, offsetof(SheetVertex, hollow));  // with the value
         attribute(5, 2, offsetof(SheetVertex, clothCoordinates));
         glBindVertexArray(0);
     }
 
     // Replaces the sheet.
-    void upload(const SheetTriangles& sheet) {
+    void upload(const SheetTriangles& sheet, const SheetUniforms& uniforms) {
+        glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
+        glBufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
         glBindVertexArray(vertexArray_.name());
         glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
         glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(sheet.vertices.size() * sizeof(SheetVertex)),
@@ -38,6 +41,7 @@ class SheetBuffer {
     }
 
     void draw() const {
+        glBindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms_.name());
         glBindVertexArray(vertexArray_.name());
         glDrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
     }
@@ -52,6 +56,7 @@ class SheetBuffer {
     VertexArray vertexArray_;
     Buffer vertices_;
     Buffer indices_;
+    Buffer uniforms_;
     GLsizei indexCount_ = 0;
 };
 

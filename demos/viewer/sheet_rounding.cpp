@@ -32,6 +32,9 @@ SheetVertex vertexAt(const Corners& corners, const Weights& weights) {
     vertex.normal = mixed(corners, weights, &SheetVertex::normal);
     vertex.albedo = mixed(corners, weights, &SheetVertex::albedo);
     vertex.gloss = mixed(corners, weights, &SheetVertex::gloss);
+    vertex.dampness = mixed(corners, weights, &SheetVertex::dampness);
+    vertex.transmittance = mixed(corners, weights, &SheetVertex::transmittance);
+    vertex.value = mixed(corners, weights, &SheetVertex::value);
     vertex.hollow = mixed(corners, weights, &SheetVertex::hollow);
     vertex.clothCoordinates = mixed(corners, weights, &SheetVertex::clothCoordinates);
     return vertex;

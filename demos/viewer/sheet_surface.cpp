@@ -20,8 +20,18 @@ void requireConsistent(const SheetMesh& sheet) {
     const std::size_t nodes = sheet.positions.size();
     requireSize("albedo", sheet.albedo.size(), nodes);
     requireSize("gloss", sheet.gloss.size(), nodes);
-    if (!sheet.clothCoordinates.empty()) {
-        requireSize("clothCoordinates", sheet.clothCoordinates.size(), nodes);
+    const auto requireSizeIfAny = [&](const char* list, std::size_t size) {
+        if (size > 0) {
+            requireSize(list, size, nodes);
+        }
+    };
+    requireSizeIfAny("clothCoordinates", sheet.clothCoordinates.size());
+    requireSizeIfAny("dampness", sheet.dampness.size());
+    requireSizeIfAny("transmittance", sheet.transmittance.size());
+    requireSizeIfAny("values", sheet.values.size());
+    if (!(sheet.threadSpacing > 0.0f)) {
+        throw std::runtime_error("viewer: a sheet has a thread spacing of " +
+                                 std::to_string(sheet.threadSpacing) + " m; give one above 0");
     }
     for (const auto& triangle : sheet.triangles) {
         for (const std::uint32_t node : triangle) {
@@ -49,6 +59,11 @@ bool drawable(const SheetMesh& sheet) {
     return true;
 }
 
+// What a node has in a list that may be empty; 0 for what is missing or not finite.
+float entry(const std::vector<float>& list, std::size_t node) {
+    return list.empty() || !std::isfinite(list[node]) ? 0.0f : list[node];
+}
+
 std::vector<SheetVertex> bareVertices(const SheetMesh& sheet) {
     std::vector<SheetVertex> vertices(sheet.positions.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -57,6 +72,9 @@ std::vector<SheetVertex> bareVertices(const SheetMesh& sheet) {
         vertex.normal.setZero();
         vertex.albedo = sheet.albedo[i].cwiseMax(0.0f).cwiseMin(1.0f);
         vertex.gloss = std::clamp(sheet.gloss[i], 0.0f, 1.0f);
+        vertex.dampness = std::clamp(entry(sheet.dampness, i), 0.0f, 1.0f);
+        vertex.transmittance = std::clamp(entry(sheet.transmittance, i), 0.0f, 1.0f);
+        vertex.value = entry(sheet.values, i);
         vertex.hollow = 0.0f;
         // A constant coordinate makes the weave pattern flat.
         vertex.clothCoordinates.setZero();

@@ -15,8 +15,12 @@ struct SheetVertex {
     Eigen::Vector3f normal;
     Eigen::Vector3f albedo;
     float gloss;
+    float dampness;
+    float transmittance;
     // How far the surface bends towards its normal, 1/m: above 0 in a hollow, below 0 on a ridge.
     float hollow;
+    // Of the quantity of the legend.
+    float value;
     // In the flat cloth, metres.
     Eigen::Vector2f clothCoordinates;
 };

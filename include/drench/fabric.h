@@ -32,6 +32,16 @@ struct Quantity {
     operator double() const { return value; }
 };
 
+/// How the threads of a cloth hold together.
+enum class Construction {
+    plainWeave,  ///< each thread over one and under one
+    twill,       ///< each thread over several and under one, a step aside from row to row
+    knit         ///< loops of one thread through those of the row before
+};
+
+/// "plain weave", "twill" or "knit".
+std::string_view toString(Construction construction);
+
 /// A woven or knitted cloth in textile units, dry and wet.
 ///
 /// The defaults are those of `fabrics::cottonPlain()`. Change what you know of your own cloth and hand it to
@@ -44,6 +54,9 @@ struct Fabric {
     Quantity arealDensity;  ///< mass of dry cloth per area, kg/m2; 0.01 to 3; cotton 0.150
     Quantity thickness;     ///< m; 2e-5 to 0.02; cotton 0.318e-3
     Quantity fibreDensity;  ///< mass of the fibre itself per volume, kg/m3; 700 to 8000; cotton 1520
+    Construction construction = Construction::plainWeave;  ///< for the looks alone
+    Quantity
+        threadSpacing;  ///< from one thread or wale to the next, for the looks alone, m; 5e-5 to 0.02; cotton 3.5e-4
 
     // Water
     Quantity regain;            ///< water held in air of 65 % humidity, kg/kg; 0 to 0.5; cotton 0.075
@@ -84,7 +97,8 @@ struct Fabric {
     Quantity albedoRed;       ///< diffuse reflectance, dry, linear, 1; 0.001 to 0.99; cotton 0.20
     Quantity albedoGreen;     ///< the same, green; cotton 0.31
     Quantity albedoBlue;      ///< the same, blue; cotton 0.46
-    Quantity scatteringLoss;  ///< factor q by which scattering falls when wet, 1; 1 to 100; cotton 8 *
+    Quantity scattering;      ///< scattering power S h of the dry cloth, 1; 0.01 to 1000; cotton 6
+    Quantity scatteringLoss;  ///< factor q by which scattering falls when wet, 1; 1 to 100; cotton 8
 
     /// A cotton plain weave; see `fabrics::cottonPlain()`.
     Fabric();
@@ -126,8 +140,10 @@ Fabric linen();              ///< linen, 180 g/m2
 Fabric silk();               ///< silk, 70 g/m2
 Fabric nylonTaffeta();       ///< dense nylon taffeta, 70 g/m2
 Fabric denim();              ///< 11 oz cotton denim, 324 g/m2
+Fabric jersey();             ///< cotton single jersey, 160 g/m2: a knit that gives way easily
 
-/// Names that `byName` knows, in the order above: cotton, polyester, tropical, wool, linen, silk, nylon, denim.
+/// Names that `byName` knows, in the order above: cotton, polyester, tropical, wool, linen, silk, nylon, denim,
+/// jersey.
 const std::vector<std::string>& names();
 
 /// The preset of that name. @throws std::invalid_argument that lists the names there are.

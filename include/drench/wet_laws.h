@@ -57,6 +57,11 @@ class WetLaws {
     /// pores (assumed). The wet colour is A / (n^2 (1 - A) + A), n = 1.33 (Angstrom 1925): 0.4 becomes 0.27.
     Colour albedo(double saturation) const;
 
+    /// Share of the light that passes the cloth at a pore saturation of 0 to 1: T = 1 / (1 + S h), the thin layer of
+    /// Kubelka and Munk (1931) without absorption, S h the scattering power. Water divides it by
+    /// `Fabric::scatteringLoss`; in between 1 / (S h) mixes as the colour does.
+    double transmittance(double saturation) const;
+
     /// How much of the face shines like water, 0 to 1: film thickness over the 18 um that a face retains (assumed).
     /// @param filmThickness  on one face, m
     static double gloss(double filmThickness);
@@ -75,6 +80,8 @@ class WetLaws {
     double airPermeabilitySaturated_;      // m/(s Pa)
     std::array<double, 3> absorptionDry_;  // K/S
     std::array<double, 3> absorptionWet_;  // K/S
+    double clearnessDry_;                  // 1 / (S h)
+    double clearnessWet_;                  // 1 / (S h)
 };
 
 }  // namespace drench

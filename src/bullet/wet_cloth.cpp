@@ -39,6 +39,14 @@ void WetCloth::clearSurface(const btCollisionObject& solid) {
     layer_->mechanics.grip.clearSurface(solid);
 }
 
+void WetCloth::setWaterSpeed(double speed) {
+    layer_->setWaterSpeed(speed);
+}
+
+double WetCloth::waterSpeed() const {
+    return layer_->waterSpeed;
+}
+
 void WetCloth::addSource(std::unique_ptr<Source> source) {
     layer_->add(std::move(source));
 }
@@ -103,10 +111,17 @@ Colour WetCloth::albedo(int node) const {
     return layer_->laws.albedo(saturation(node));
 }
 
+double WetCloth::transmittance(int node) const {
+    return layer_->laws.transmittance(saturation(node));
+}
+
 double WetCloth::gloss(int node) const {
     return WetLaws::gloss(layer_->moisture.filmThickness(layer_->checkedNode(node)));
 }
 
+const Fabric& WetCloth::fabric() const {
+    return layer_->fabric;
+}
 const Moisture& WetCloth::moisture() const {
     return layer_->moisture;
 }
@@ -136,6 +151,10 @@ SheetHealth WetCloth::health() const {
     const SheetMechanics& mechanics = layer_->mechanics;
     return {isFinite(body), largestStrain(body, mechanics), deepestPenetration(body),
             stepBound(),    mechanics.smallSteps,           mechanics.heldSubsteps};
+}
+
+StepTimes WetCloth::times() const {
+    return layer_->mechanics.times;
 }
 
 void WetCloth::preSubstep(btScalar dt) {

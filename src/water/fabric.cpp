@@ -22,6 +22,18 @@ std::string_view toString(Provenance provenance) {
     return "unknown";
 }
 
+std::string_view toString(Construction construction) {
+    switch (construction) {
+        case Construction::plainWeave:
+            return "plain weave";
+        case Construction::twill:
+            return "twill";
+        case Construction::knit:
+            return "knit";
+    }
+    return "unknown";
+}
+
 double Fabric::porosity() const {
     return 1.0 - arealDensity / (fibreDensity * thickness);
 }
@@ -35,6 +47,7 @@ const std::vector<FabricParameter>& fabricParameters() {
         {"arealDensity", "kg/m2", 0.01, 3, &Fabric::arealDensity},
         {"thickness", "m", 2e-5, 0.02, &Fabric::thickness},
         {"fibreDensity", "kg/m3", 700, 8000, &Fabric::fibreDensity},
+        {"threadSpacing", "m", 5e-5, 0.02, &Fabric::threadSpacing},
         {"regain", "kg/kg", 0, 0.5, &Fabric::regain},
         {"boundMaximum", "kg/kg", 0.001, 1, &Fabric::boundMaximum},
         {"wettingTime", "s", 1e-3, 1e5, &Fabric::wettingTime},
@@ -63,6 +76,7 @@ const std::vector<FabricParameter>& fabricParameters() {
         {"albedoRed", "1", 0.001, 0.99, &Fabric::albedoRed},
         {"albedoGreen", "1", 0.001, 0.99, &Fabric::albedoGreen},
         {"albedoBlue", "1", 0.001, 0.99, &Fabric::albedoBlue},
+        {"scattering", "1", 0.01, 1000, &Fabric::scattering},
         {"scatteringLoss", "1", 1, 100, &Fabric::scatteringLoss},
     };
     return parameters;

@@ -69,6 +69,11 @@ void setAlbedo(Fabric& fabric, double red, double green, double blue) {
     fabric.albedoBlue = assumed(blue, "a colour to look at");
 }
 
+void setLooks(Fabric& fabric, double threadSpacing, double scattering) {
+    fabric.threadSpacing = assumed(threadSpacing, "usual for a cloth of this weight");
+    fabric.scattering = assumed(scattering, "lets as much light through as such a cloth seems to");
+}
+
 }  // namespace
 
 Fabric::Fabric() {
@@ -92,6 +97,7 @@ Fabric::Fabric() {
     airPermeabilityDry = assumed(0.100);
     airPermeabilitySaturated = assumed(0.005);
     setAlbedo(*this, 0.20, 0.31, 0.46);
+    setLooks(*this, 3.5e-4, 6);
     scatteringLoss = textbook(8, fresnel);
 }
 
@@ -124,6 +130,7 @@ Fabric polyesterPlain() {
     fabric.airPermeabilityDry = assumed(0.100);
     fabric.airPermeabilitySaturated = assumed(0.020);
     setAlbedo(fabric, 0.56, 0.60, 0.62);
+    setLooks(fabric, 3.0e-4, 5);
     fabric.scatteringLoss = textbook(6, fresnel);
     return fabric;
 }
@@ -143,6 +150,7 @@ Fabric polyesterTropical() {
     fabric.regain = measured(0.004, mortonHearle);
     fabric.bending = measured(7.55e-6, matsudaira);
     fabric.bendingFriction = measured(1.42e-4, matsudaira);
+    setLooks(fabric, 5.0e-4, 4);
     return fabric;
 }
 
@@ -169,6 +177,7 @@ Fabric wool() {
     fabric.airPermeabilityDry = assumed(0.300);
     fabric.airPermeabilitySaturated = assumed(0.060);
     setAlbedo(fabric, 0.30, 0.28, 0.27);
+    setLooks(fabric, 6.0e-4, 9);
     fabric.scatteringLoss = textbook(8, fresnel);
     return fabric;
 }
@@ -196,6 +205,7 @@ Fabric linen() {
     fabric.airPermeabilityDry = assumed(0.150);
     fabric.airPermeabilitySaturated = assumed(0.005);
     setAlbedo(fabric, 0.55, 0.48, 0.36);
+    setLooks(fabric, 6.0e-4, 6);
     fabric.scatteringLoss = textbook(8, fresnel);
     return fabric;
 }
@@ -223,6 +233,7 @@ Fabric silk() {
     fabric.airPermeabilityDry = assumed(0.150);
     fabric.airPermeabilitySaturated = assumed(0.010);
     setAlbedo(fabric, 0.55, 0.16, 0.20);
+    setLooks(fabric, 2.2e-4, 2.5);
     fabric.scatteringLoss = textbook(7.6, fresnel);
     return fabric;
 }
@@ -250,6 +261,7 @@ Fabric nylonTaffeta() {
     fabric.airPermeabilityDry = assumed(0.030);
     fabric.airPermeabilitySaturated = assumed(0.002);
     setAlbedo(fabric, 0.70, 0.30, 0.08);
+    setLooks(fabric, 1.8e-4, 2.5);
     fabric.scatteringLoss = textbook(8.5, fresnel);
     return fabric;
 }
@@ -277,6 +289,38 @@ Fabric denim() {
     fabric.airPermeabilityDry = assumed(0.030);
     fabric.airPermeabilitySaturated = assumed(0.001);
     setAlbedo(fabric, 0.09, 0.14, 0.26);
+    setLooks(fabric, 7.0e-4, 16);
+    fabric.construction = Construction::twill;
+    fabric.scatteringLoss = textbook(8, fresnel);
+    return fabric;
+}
+
+Fabric jersey() {
+    constexpr const char* softKnit = "a knit gives way by bending its loops";
+    Fabric fabric;
+    fabric.name = "cotton jersey";
+    fabric.arealDensity = assumed(0.160);
+    fabric.thickness = assumed(0.55e-3);
+    fabric.fibreDensity = measured(1520, mortonHearle);
+    fabric.construction = Construction::knit;
+    fabric.regain = measured(0.075, mortonHearle);
+    fabric.boundMaximum = measured(0.22, mortonHearle);
+    fabric.wettingTime = assumed(2);
+    setWicking(fabric, 41, 1.5);
+    fabric.stretchWarp = assumed(150, softKnit);
+    fabric.stretchWeft = assumed(80, softKnit);
+    fabric.shear = assumed(30, softKnit);
+    fabric.bending = assumed(2e-6);
+    fabric.bendingFriction = assumed(1e-4);
+    fabric.wetStretchRatio = assumed(0.7);
+    fabric.wetBendingRatio = assumed(0.6);
+    fabric.wetBendingFrictionRatio = assumed(1.7);
+    setFriction(fabric, {0.25, 0.9, 0.4}, {0.45, 1.2, 0.9});
+    fabric.clingEnergy = assumed(0.12);
+    fabric.airPermeabilityDry = assumed(0.800);
+    fabric.airPermeabilitySaturated = assumed(0.020);
+    setAlbedo(fabric, 0.62, 0.60, 0.55);
+    setLooks(fabric, 9.0e-4, 5);
     fabric.scatteringLoss = textbook(8, fresnel);
     return fabric;
 }
@@ -295,7 +339,8 @@ constexpr Preset presets[] = {{"cotton", cottonPlain},
                               {"linen", linen},
                               {"silk", silk},
                               {"nylon", nylonTaffeta},
-                              {"denim", denim}};
+                              {"denim", denim},
+                              {"jersey", jersey}};
 
 }  // namespace
 

@@ -43,7 +43,9 @@ WetLaws::WetLaws(const Fabric& fabric)
       clingEnergy_(fabric.clingEnergy),
       bindingSaturation_(fabric.boundMaximum * fabric.arealDensity / fabric.poreCapacity()),
       airPermeabilityDry_(fabric.airPermeabilityDry / permeabilityTestPressure),
-      airPermeabilitySaturated_(fabric.airPermeabilitySaturated / permeabilityTestPressure) {
+      airPermeabilitySaturated_(fabric.airPermeabilitySaturated / permeabilityTestPressure),
+      clearnessDry_(1 / fabric.scattering),
+      clearnessWet_(fabric.scatteringLoss / fabric.scattering) {
     validate(fabric);
     const std::array<double, 3> dry = {fabric.albedoRed, fabric.albedoGreen, fabric.albedoBlue};
     for (std::size_t channel = 0; channel < dry.size(); ++channel) {
@@ -76,6 +78,11 @@ Colour WetLaws::albedo(double saturation) const {
         colour[channel] = albedoOf(absorptionDry_[channel] +
                                    (absorptionWet_[channel] - absorptionDry_[channel]) * progress);
     return colour;
+}
+
+double WetLaws::transmittance(double saturation) const {
+    const double clearness = clearnessDry_ + (clearnessWet_ - clearnessDry_) * darkeningProgress(saturation);
+    return clearness / (1 + clearness);
 }
 
 double WetLaws::gloss(double filmThickness) {

@@ -19,7 +19,7 @@ std::string refusalOf(const Fabric& fabric) {
 }
 
 TEST(Fabric, PresetsAreValidAndSayWhereTheirNumbersComeFrom) {
-    ASSERT_EQ(fabrics::names().size(), 8u);
+    ASSERT_EQ(fabrics::names().size(), 9u);
     for (const std::string& name : fabrics::names()) {
         const Fabric fabric = fabrics::byName(name);
         EXPECT_EQ(refusalOf(fabric), "") << name;
@@ -38,6 +38,26 @@ TEST(Fabric, CottonHasThePorosityOfItsConstruction) {
     // 1 - 0.150 / (1520 x 0.318e-3), by hand.
     EXPECT_NEAR(cotton.porosity(), 0.68968, 1e-5);
     EXPECT_NEAR(cotton.poreCapacity(), 0.219318, 1e-5);
+}
+
+TEST(Fabric, PresetsAreWovenOrKnittedAsTheyAreSold) {
+    for (const std::string& name : fabrics::names()) {
+        const Construction expected = name == "denim"    ? Construction::twill
+                                      : name == "jersey" ? Construction::knit
+                                                         : Construction::plainWeave;
+        EXPECT_EQ(fabrics::byName(name).construction, expected) << name;
+    }
+    EXPECT_EQ(toString(Construction::plainWeave), "plain weave");
+    EXPECT_EQ(toString(Construction::twill), "twill");
+    EXPECT_EQ(toString(Construction::knit), "knit");
+}
+
+TEST(Fabric, AKnitGivesWayMoreEasilyThanAnyWeave) {
+    const double knit = fabrics::jersey().stretchWarp;
+    for (const std::string& name : fabrics::names())
+        if (name != "jersey") {
+            EXPECT_LT(knit, fabrics::byName(name).stretchWarp) << name;
+        }
 }
 
 TEST(Fabric, EveryParameterIsRefusedOutsideItsRangeAndNamed) {

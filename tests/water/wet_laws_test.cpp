@@ -59,6 +59,36 @@ TEST(WetLaws, DarkeningIsLinearInAbsorptionOverScatteringUpToSixtyPercent) {
     for (double s = 0; s <= 0.6; s += 0.05) EXPECT_NEAR(ratio(s), ratio(0) + slope * s, 1e-9);
 }
 
+TEST(WetLaws, TransmittanceIsThatOfAThinLayer) {
+    const WetLaws laws(fabrics::cottonPlain());
+    // 1 / (1 + 6) and 1 / (1 + 6/8), by hand.
+    EXPECT_NEAR(laws.transmittance(0), 1.0 / 7, 1e-12);
+    EXPECT_NEAR(laws.transmittance(1), 4.0 / 7, 1e-12);
+    // Nine tenths of the way from 1/6 to 8/6 in 1 / (S h): 7.3/6.
+    EXPECT_NEAR(laws.transmittance(0.6), 7.3 / 13.3, 1e-12);
+    // Out of range is as at the ends.
+    EXPECT_DOUBLE_EQ(laws.transmittance(-1), laws.transmittance(0));
+    EXPECT_DOUBLE_EQ(laws.transmittance(2), laws.transmittance(1));
+}
+
+TEST(WetLaws, WetterLetsMoreLightThrough) {
+    for (const std::string& name : fabrics::names()) {
+        const WetLaws laws(fabrics::byName(name));
+        for (int percent = 0; percent < 100; ++percent)
+            EXPECT_GT(laws.transmittance(0.01 * (percent + 1)), laws.transmittance(0.01 * percent)) << name;
+        EXPECT_GT(laws.transmittance(0), 0) << name;
+        EXPECT_LT(laws.transmittance(1), 1) << name;
+    }
+}
+
+TEST(WetLaws, ThickClothLetsLessLightThroughThanThin) {
+    const WetLaws silk(fabrics::silk()), cotton(fabrics::cottonPlain()), denim(fabrics::denim());
+    for (const double saturation : {0.0, 0.5, 1.0}) {
+        EXPECT_GT(silk.transmittance(saturation), cotton.transmittance(saturation));
+        EXPECT_GT(cotton.transmittance(saturation), denim.transmittance(saturation));
+    }
+}
+
 TEST(WetLaws, WaterClosesThePoresToAir) {
     const WetLaws laws(fabrics::cottonPlain());
     EXPECT_NEAR(laws.drag(0).permeability * 100, 0.100, 1e-12);  // m/s at 100 Pa

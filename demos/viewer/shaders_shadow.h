@@ -1,0 +1,24 @@
+// What the sun's map keeps of sheets and solids: GLSL source pieces.
+#pragma once
+
+namespace drench::viewer::shaders {
+
+// Blended by the smaller value: the share of the sun that sheets let through, and the depth of the nearest solid.
+inline constexpr char sheetShadowFragment[] = R"(
+in float transmittance;
+out vec2 passing;
+
+void main() {
+    passing = vec2(transmittance, 1.0);
+}
+)";
+
+inline constexpr char solidShadowFragment[] = R"(
+out vec2 passing;
+
+void main() {
+    passing = vec2(1.0, gl_FragCoord.z);
+}
+)";
+
+}  // namespace drench::viewer::shaders
