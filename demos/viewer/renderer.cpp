@@ -5,15 +5,18 @@
 #include <optional>
 #include <stdexcept>
 
+#include "viewer/airborne_water.h"
 #include "viewer/background_pass.h"
 #include "viewer/caption.h"
 #include "viewer/frame_uniforms.h"
 #include "viewer/gl_error_count.h"
+#include "viewer/layers_target.h"
 #include "viewer/render_target.h"
 #include "viewer/shaders_background.h"
 #include "viewer/sheet_pass.h"
 #include "viewer/solid_pass.h"
 #include "viewer/water_pass.h"
+#include "viewer/wet_patches.h"
 
 namespace drench::viewer {
 
@@ -56,6 +59,10 @@ void setPlainState() {
     glDepthFunc(GL_LEQUAL);
 }
 
+bool groundIsSeen(const FrameUniforms& uniforms) {
+    return uniforms.eye[1] > uniforms.ground[0];
+}
+
 }  // namespace
 
 class Renderer::Scene {
@@ -71,6 +78,7 @@ class Renderer::Scene {
     // Returns points that surround all that casts a shadow.
     std::vector<Eigen::Vector3f> upload(const Picture& picture);
     void drawShadows(const FrameUniforms& uniforms) const;
+    void drawWetness(const FrameUniforms& uniforms);
     void drawScene(const FrameUniforms& uniforms) const;
     void present(unsigned framebuffer, const Area& area) const;
 
@@ -83,7 +91,10 @@ class Renderer::Scene {
     BackgroundPass background_;
     SheetPass sheets_;
     WaterPass waters_;
+    WetPatches patches_;
+    AirborneWater airborne_;
     std::optional<SceneTarget> target_;
+    std::optional<LayersTarget> layers_;
     Caption caption_;
 };
 
@@ -92,6 +103,8 @@ std::vector<Eigen::Vector3f> Renderer::Scene::upload(const Picture& picture) {
     solids_.upload(picture, casters);
     sheets_.upload(picture, casters);
     waters_.upload(picture.waters);
+    patches_.upload(picture.patches);
+    airborne_.upload(picture);
     return casters;
 }
 
@@ -104,21 +117,40 @@ void Renderer::Scene::drawShadows(const FrameUniforms& uniforms) const {
     shadow_.end();
 }
 
+void Renderer::Scene::drawWetness(const FrameUniforms& uniforms) {
+    if (patches_.empty()) {
+        return;
+    }
+    frameBlock_.bind(uniforms);
+    patches_.beginSolids(target_->width(), target_->height());
+    solids_.drawDepth();
+    background_.drawDepth(groundIsSeen(uniforms));
+    patches_.drawOntoSolids();
+}
+
 void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
     target_->bind();
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     frameBlock_.bind(uniforms);
     shadow_.bindForLookup();
+    patches_.bindForLookup();
     solids_.draw();
-    const bool groundIsSeen = uniforms.eye[1] > uniforms.ground[0];
-    background_.draw(groundIsSeen);
+    background_.draw(groundIsSeen(uniforms));
     if (!sheets_.empty()) {
         target_->resolveForBlurredLookup();
+        layers_->begin();
+        sheets_.drawLayers();
+        layers_->end();
+        target_->bind();
         sheets_.draw();
     }
     if (!waters_.empty()) {
         target_->resolveForLookup();
         waters_.draw();
+    }
+    if (!airborne_.empty()) {
+        target_->resolveForLookup();
+        airborne_.draw();
     }
     shadow_.unbind();
 }
@@ -140,7 +172,9 @@ void Renderer::Scene::resize(int width, int height) {
     if (!target_ || target_->width() != width || target_->height() != height) {
         // Gives the old memory back before it asks for the new.
         target_.reset();
+        layers_.reset();
         target_.emplace(width, height);
+        layers_.emplace(width, height);
     }
 }
 
@@ -154,6 +188,7 @@ void Renderer::Scene::draw(const Picture& picture, const Area& area, unsigned fr
 
     setPlainState();
     drawShadows(sunUniforms(uniforms, shadow));
+    drawWetness(uniforms);
     drawScene(uniforms);
     present(framebuffer, area);
     caption_.draw(picture, area);

@@ -53,11 +53,11 @@ Relief twill(vec2 at) {
     float step = mod(cell.x + cell.y, 4.0);
     if (step < 0.5) {
         Relief weft = turned(thread(inside.y, inside.x));
-        weft.shade += 0.75;
+        weft.shade += 0.54;
         return weft;
     }
     Relief warp = thread((step - 2.0 + inside.x) / 3.0, inside.y);
-    warp.shade -= 0.22;
+    warp.shade -= 0.15;
     return warp;
 }
 
@@ -89,18 +89,24 @@ inline constexpr char cloth[] = R"(
 Relief streaks(vec2 at, float pixel) {
     Relief sum = Relief(vec2(0.0), 0.0, 0.0);
     float scale = 45.0;
+    // Close by, the finer ones stand out most.
+    float weight = 1.0;
+    float weights = 0.8;
     for (int i = 0; i < 4; ++i) {
         float kept = 1.0 - smoothstep(0.25, 0.6, pixel * scale);
         if (kept > 0.0) {
             const vec2 drawnOut = vec2(1.0, 0.10);
             vec3 weft = noiseAndSlope(at * scale * drawnOut + 3.7);
             vec3 warp = noiseAndSlope(at.yx * scale * drawnOut + 11.3);
+            kept *= weight;
+            weights += kept;
             sum.shade += kept * (weft.x + warp.x);
             sum.slope += kept * (weft.yz * drawnOut + (warp.yz * drawnOut).yx);
         }
         scale *= 3.1;
+        weight *= 1.6;
     }
-    return sum;
+    return Relief(sum.slope / weights, sum.shade / weights, 0.0);
 }
 
 // Small creases that the mesh is too coarse for.
@@ -119,8 +125,10 @@ Relief clothRelief(vec2 at, float pixel, float dryness) {
         return Relief(vec2(0.0), 0.0, 0.0);
     }
     Relief uneven = streaks(at, pixel);
-    Relief all = Relief(0.06 * uneven.slope + dryness * creases(at, pixel), 0.075 * uneven.shade, 0.12);
-    float kept = 1.0 - smoothstep(0.28, 0.65, pixel / threading.x);
+    Relief all = Relief(0.10 * uneven.slope + dryness * creases(at, pixel), 0.15 * uneven.shade, 0.12);
+    // The legs of a loop are finer than what one wale is from the next.
+    float finest = threading.y > 1.5 ? 0.5 * threading.x : threading.x;
+    float kept = 1.0 - smoothstep(0.22, 0.5, pixel / finest);
     if (kept > 0.0) {
         Relief one = crossing(at / threading.x);
         all.slope += kept * one.slope;

@@ -14,8 +14,8 @@ SheetPass::SheetPass()
                {shaders::frame, shaders::sheetBlock, shaders::sky, shaders::occlusion, shaders::material,
                 shaders::noise, shaders::relief, shaders::threads, shaders::cloth, shaders::hem,
                 shaders::seeThrough, shaders::sheetLight, shaders::sheetFragment}),
-      shadowProgram_("sheet shadow", {shaders::frame, shaders::sheetVertex}, {shaders::sheetShadowFragment}) {
-}
+      shadowProgram_("sheet shadow", {shaders::frame, shaders::sheetVertex}, {shaders::sheetShadowFragment}),
+      layerProgram_("sheet layer", {shaders::frame, shaders::sheetVertex}, {shaders::sheetLayerFragment}) {}
 
 void SheetPass::upload(const Picture& picture, std::vector<Eigen::Vector3f>& casters) {
     count_ = 0;
@@ -34,6 +34,11 @@ void SheetPass::upload(const Picture& picture, std::vector<Eigen::Vector3f>& cas
 
 void SheetPass::drawShadows() const {
     shadowProgram_.use();
+    drawAll();
+}
+
+void SheetPass::drawLayers() const {
+    layerProgram_.use();
     drawAll();
 }
 
