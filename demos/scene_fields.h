@@ -48,7 +48,7 @@ class FieldReader {
     /// Hands the fields of an object to a function, if it is there.
     template <typename Function>
     bool object(const std::string& key, Function function);
-    /// A list of objects, each handed to a function.
+    /// A list of at most 1000 objects, each handed to a function.
     template <typename Entry, typename Function>
     void list(const std::string& key, std::vector<Entry>& entries, Function function);
 
@@ -160,7 +160,10 @@ template <typename Entry, typename Function>
 void FieldReader::list(const std::string& key, std::vector<Entry>& entries, Function function) {
     const nlohmann::json* found = any(key);
     if (!found) return;
+    constexpr std::size_t most = 1000;
     checkList(key, *found, "objects");
+    if (found->size() > most)
+        refuse(key, "is " + shown(*found) + "; give at most " + std::to_string(most) + " objects");
     for (std::size_t i = 0; i < found->size(); ++i) {
         FieldReader inner((*found)[i], pathOf(key) + '[' + std::to_string(i) + ']');
         function(inner, entries.emplace_back());

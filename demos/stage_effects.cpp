@@ -7,17 +7,20 @@ namespace drench::demo {
 
 namespace {
 
-/// Around what the camera looks at, down to the ground.
+/// Around what the camera looks at, down to the ground; rather behind it than before it, as drops close to the eye
+/// would be as large as posts.
 Eigen::AlignedBox3d showerOf(const SceneDescription& scene) {
-    constexpr double narrowest = 1.5, widest = 6, height = 0.66;  // the last one over the camera's distance
-    const Eigen::Vector3d target = scene.camera.target.cast<double>();
-    const double half = std::clamp(double(scene.camera.distance), narrowest, widest);
+    constexpr double narrowest = 1.5, widest = 6, height = 0.7,
+                     behind = 0.2;  // the last two over the half width
+    const double half = std::clamp(0.95 * double(scene.camera.distance), narrowest, widest);
+    const Eigen::Vector3d target = scene.camera.target.cast<double>(),
+                          middle = target + behind * half * scene.camera.forward().cast<double>();
     double ground = 0;
     for (const SolidDescription& solid : scene.solids)
         if (solid.shape == SolidDescription::Shape::ground) ground = solid.position.y();
     const double top = std::max(target.y(), ground) + height * half;
-    return {Eigen::Vector3d(target.x() - half, ground, target.z() - half),
-            Eigen::Vector3d(target.x() + half, top, target.z() + half)};
+    return {Eigen::Vector3d(middle.x() - half, ground, middle.z() - half),
+            Eigen::Vector3d(middle.x() + half, top, middle.z() + half)};
 }
 
 bool isBounded(const PoolDescription& pool) {

@@ -230,6 +230,9 @@ TEST(SceneFile, RefusesBombs) {
     std::string objects;
     for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
     EXPECT_NE(refusal(objects).find("deep"), std::string::npos);
+    std::string solids = "{\"solids\": [{}";
+    for (int i = 0; i < 1000; ++i) solids += ",{}";
+    EXPECT_NE(refusal(solids + "]}").find("solids is a list of 1001"), std::string::npos);
     JsonLimits tight;
     tight.values = 1000;
     std::string many = "[0";
