@@ -114,16 +114,37 @@ std::unique_ptr<Scene> makeScene(const RunOptions& options) {
     return makeScene(options.scene, options.sceneOptions);
 }
 
-void writeScene(const RunOptions& options, Scene& scene) {
-    if (options.saved.empty()) return;
+namespace {
+
+/// @throws std::runtime_error for a scene that a scene file cannot hold
+SceneDescription describedNow(const RunOptions& options, Scene& scene) {
     const std::vector<Stage*> stages = scene.stages();
     if (stages.size() != 1)
         throw std::runtime_error("the scene '" + options.scene + "' is played in " +
                                  std::to_string(stages.size()) + " worlds, and a scene file holds one");
-    saveScene(options.saved, stages.front()->describe());
+    return stages.front()->describe();
+}
+
+/// Says whether the scene's check has passed. @return the exit status
+int judge(const Scene& scene, const RunOptions& options) {
+    if (!options.sceneOptions.water) {
+        std::cout << "\nnot checked: a dry run has no result of its own\n";
+        return 0;
+    }
+    const auto failures = scene.failures();
+    for (const std::string& failure : failures) std::cerr << "check failed: " << failure << '\n';
+    std::cout << (failures.empty() ? "\ncheck passed\n" : "\ncheck failed\n");
+    return failures.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void writeScene(const RunOptions& options, Scene& scene) {
+    if (!options.saved.empty()) saveScene(options.saved, describedNow(options, scene));
 }
 
 int runHeadless(Scene& scene, const RunOptions& options) {
+    if (!options.saved.empty()) describedNow(options, scene);  // before the work, not after it
     std::unique_ptr<Album> album;
     if (!options.frames.empty()) album = std::make_unique<Album>(options.frames);
     std::unique_ptr<Film> film;
@@ -151,15 +172,9 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     if (album) album->addSideBySide(scene);
     if (album) album->writeContactSheet();
 
-    if (!options.sceneOptions.water) {
-        std::cout << "\nnot checked: a dry run has no result of its own\n";
-        return 0;
-    }
-    const auto failures = scene.failures();
-    for (const std::string& failure : failures) std::cerr << "check failed: " << failure << '\n';
-    std::cout << (failures.empty() ? "\ncheck passed\n" : "\ncheck failed\n");
+    const int status = judge(scene, options);
     if (film && !film->finish()) return 2;
-    return failures.empty() ? 0 : 1;
+    return status;
 }
 
 void checkTargets(const RunOptions& options) {
