@@ -73,7 +73,7 @@ class Scene {
     virtual void noteDrawTime(double) {}
 
     /// The stages that it is played on now, by which everything on them can be reached and changed between frames.
-    virtual std::vector<Stage*> stages() { return {}; }
+    virtual std::vector<Stage*> stages() = 0;
     /// The sheets there are now.
     virtual std::vector<SceneSheet> sheets();
     /// Wind speed where the scene lets it blow, m/s; may be changed at any time.

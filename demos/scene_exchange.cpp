@@ -256,16 +256,23 @@ void exchangeEnds(Fields& fields, SolidDescription& solid) {
     }
 }
 
-template <typename Fields>
-void exchangeTurn(Fields& fields, Eigen::Quaterniond& turn) {
-    const Eigen::AngleAxisd now(turn);
-    Eigen::Vector3d axis = now.axis();
-    double angleAround = now.angle();
-    const bool there = fields.object("turn", [&](Fields& inner) {
+void exchangeTurn(FieldReader& fields, Eigen::Quaterniond& turn) {
+    fields.object("turn", [&](FieldReader& inner) {
+        Eigen::Vector3d axis(0, 1, 0);
+        double around = 0;
         inner.vector("axis", axis, directions, leastDirection);
-        angle(inner, "degrees", angleAround, {-3600, 3600});
+        angle(inner, "degrees", around, {-3600, 3600});
+        turn = Eigen::AngleAxisd(around, axis.normalized());
     });
-    if (Fields::reads && there) turn = Eigen::AngleAxisd(angleAround, axis.normalized());
+}
+
+void exchangeTurn(FieldWriter& fields, const Eigen::Quaterniond& turn) {
+    constexpr double digits = 1e12;  // of which the last ones do not change when it is read and written again
+    const Eigen::AngleAxisd now(turn);
+    const double inDegrees = std::round(digits * degrees(now.angle())) / digits;
+    if (inDegrees == 0) return;
+    const Eigen::Vector3d axis = (digits * now.axis()).array().round() / digits;
+    fields.put("turn", {{"axis", {axis.x(), axis.y(), axis.z()}}, {"degrees", inDegrees}});
 }
 
 template <typename Fields>
