@@ -9,6 +9,7 @@
 #include "viewer/caption.h"
 #include "viewer/frame_uniforms.h"
 #include "viewer/gl_error_count.h"
+#include "viewer/layers_target.h"
 #include "viewer/render_target.h"
 #include "viewer/shaders_background.h"
 #include "viewer/sheet_pass.h"
@@ -84,6 +85,7 @@ class Renderer::Scene {
     SheetPass sheets_;
     WaterPass waters_;
     std::optional<SceneTarget> target_;
+    std::optional<LayersTarget> layers_;
     Caption caption_;
 };
 
@@ -114,6 +116,10 @@ void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
     background_.draw(groundIsSeen);
     if (!sheets_.empty()) {
         target_->resolveForBlurredLookup();
+        layers_->begin();
+        sheets_.drawLayers();
+        layers_->end();
+        target_->bind();
         sheets_.draw();
     }
     if (!waters_.empty()) {
@@ -140,7 +146,9 @@ void Renderer::Scene::resize(int width, int height) {
     if (!target_ || target_->width() != width || target_->height() != height) {
         // Gives the old memory back before it asks for the new.
         target_.reset();
+        layers_.reset();
         target_.emplace(width, height);
+        layers_.emplace(width, height);
     }
 }
 

@@ -132,7 +132,7 @@ float sunVisible(vec3 position, vec3 normal) {
         vec2 at = map.xy + radius * pattern(i, taps, start);
         float lit = texture(sunShadow, vec3(at, depth));
         visible += lit;
-        if (i % 3 == 0) {
+        if (i % 2 == 0) {
             vec2 passing = texture(sunPassing, at).xy;
             // Where there is no sheet at all, a solid is in the way.
             passing.x *= step(passing.x, 0.999) * step(depth, passing.y + 0.0005);

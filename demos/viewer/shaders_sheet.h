@@ -44,10 +44,31 @@ void main() {
 }
 )";
 
+// What passes dyed cloth.
+inline constexpr char dye[] = R"(
+// The layer of Kubelka and Munk with the absorption that its albedo tells, of a transmittance that is without any.
+// Light that is scattered, or thrown back into the cloth where it would leave it into air, takes `detour` times the way.
+vec3 passingDye(vec3 albedo, float transmittance, float detour) {
+    float scattering = detour * (1.0 / max(transmittance, 1e-3) - 1.0);
+    vec3 a = 1.0 + (1.0 - albedo) * (1.0 - albedo) / (2.0 * max(albedo, 1e-3));
+    vec3 b = sqrt(a * a - 1.0) + 1e-4;
+    vec3 grown = exp(min(b * scattering, 40.0));
+    return 2.0 * b / ((a + b) * grown + (b - a) / grown);
+}
+)";
+
 // What is seen through a sheet: the scene without sheets, blurred by the way behind the sheet.
 inline constexpr char seeThrough[] = R"(
 uniform sampler2D scene;
 uniform sampler2D sceneDepth;
+
+// What all sheets that cover a pixel let through, one after the other.
+uniform sampler2D sheetLayers;
+
+// What the others let through to one that is seen itself.
+float otherLayers(float transmittance) {
+    return min(texelFetch(sheetLayers, ivec2(gl_FragCoord.xy), 0).r / max(transmittance, 0.01), 1.0);
+}
 
 // Share of the light let through that keeps its way: exp(-S h) over the transmittance 1 / (1 + S h).
 float clearness(float transmittance) {
@@ -84,16 +105,6 @@ float fuzz(vec3 normal, vec3 towardsEye, float facingSun, float facingEye) {
     return density / (4.0 * (facingSun + facingEye - facingSun * facingEye) + 1e-3);
 }
 
-// The layer of Kubelka and Munk with the absorption that its albedo tells, of a transmittance that is without any.
-vec3 passingDye(vec3 albedo, float transmittance) {
-    // Scattered light takes a longer way through the dye than straight across.
-    float scattering = 2.0 * (1.0 / max(transmittance, 1e-3) - 1.0);
-    vec3 a = 1.0 + (1.0 - albedo) * (1.0 - albedo) / (2.0 * max(albedo, 1e-3));
-    vec3 b = sqrt(a * a - 1.0) + 1e-4;
-    vec3 grown = exp(min(b * scattering, 40.0));
-    return 2.0 * b / ((a + b) * grown + (b - a) / grown);
-}
-
 struct Cloth {
     vec3 position;
     // With threads and creases, and of the film over them.
@@ -112,13 +123,20 @@ struct Cloth {
 vec3 diffuseLight(Cloth c, vec3 sun, float towards) {
     vec3 front = sun * max(towards, 0.0) + ambientLight(c.normal) * c.openness;
     vec3 back = sun * max(-towards, 0.0) + ambientLight(-c.normal) * c.openness;
-    vec3 passing = min(passingDye(c.albedo, c.transmittance), 1.0 - c.albedo);
     float clear = clearness(c.transmittance);
     vec4 behind = lightBehind(clear);
-    // What touches the cloth is seen however much light scatters on the way, but gets its light through it.
-    float touching = exp(-behind.w / 0.006);
-    behind.rgb *= mix(1.0, mix(c.transmittance, 1.0, 0.3), touching);
-    return c.albedo * front + passing * mix(back, behind.rgb, mix(clear, 1.0, touching));
+    // What touches the cloth is seen however much light scatters on the way. Cloth that lies on a solid is drawn up to a
+    // centimetre off it.
+    float touching = 1.0 - smoothstep(0.012, 0.03, behind.w);
+    // The sky that the cloth keeps off is still on it.
+    behind.rgb *= 1.0 - 0.25 * touching;
+    // Between dry threads there are gaps, which water closes to light as it does to air.
+    vec3 tint = c.albedo / max(max(c.albedo.r, c.albedo.g), max(c.albedo.b, 1e-3));
+    vec3 gaps = 0.35 * c.dryness * c.dryness * c.transmittance * tint;
+    vec3 passing = min(passingDye(c.albedo, c.transmittance, mix(2.0, 1.1, touching)) + gaps, 1.0 - c.albedo);
+    // Another layer of cloth hides what is behind it, and shows itself.
+    vec3 beyond = mix(c.albedo * back, behind.rgb, otherLayers(c.transmittance));
+    return c.albedo * front + passing * mix(back, beyond, mix(clear, 1.0, touching));
 }
 
 vec3 clothLight(Cloth c) {
@@ -129,7 +147,7 @@ vec3 clothLight(Cloth c) {
     vec3 sun = sunLight * sunVisible(c.position, c.filmNormal);
     vec3 colour = diffuseLight(c, sun, towards);
 
-    float rim = pow(1.0 - facingEye, 3.0);
+    float rim = pow(max(1.0 - facingEye, 0.0), 3.0);
     float fibres = 0.10 * c.dryness;
     vec3 haze = fibres * sqrt(c.albedo);
     colour *= 1.0 - fibres * rim;
@@ -147,6 +165,20 @@ vec3 clothLight(Cloth c) {
     colour += c.film * mirror * c.openness * mirroredLight(reflect(-towardsEye, c.filmNormal), c.roughness);
     colour += c.film * sun * filmFacingSun * sunGlint(film, towardsEye, filmFacingSun, filmFacingEye);
     return colour;
+}
+)";
+
+// One layer of cloth, where no solid hides it.
+inline constexpr char sheetLayerFragment[] = R"(
+in float transmittance;
+uniform sampler2D sceneDepth;
+out vec4 passing;
+
+void main() {
+    if (gl_FragCoord.z > texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r) {
+        discard;
+    }
+    passing = vec4(transmittance);
 }
 )";
 
@@ -168,7 +200,7 @@ vec3 sloped(vec3 upright, vec2 slope, vec3 rightwards, vec3 upwards, vec2 clothR
     vec3 second = cross(upright, rightwards);
     float area = dot(rightwards, first);
     vec3 gradient = sign(area) * (first * dot(slope, clothRight) + second * dot(slope, clothUp));
-    return normalize(abs(area) * upright - gradient);
+    return normalize(max(abs(area), 1e-12) * upright - gradient);
 }
 
 // An even colour map, with enough light and shade that the shape is seen.
@@ -204,13 +236,14 @@ void main() {
     c.albedo = clamp(albedo * (1.0 + pale * relief.shade) * (1.0 + sewn.shade), 0.0, 0.97);
     c.transmittance = mix(transmittance, transmittance / (2.0 - transmittance), sewn.folded);
     // While little water stands on the cloth it lies in patches, between the highest threads.
-    float patches = smoothstep(0.0, 0.5, 1.4 * gloss - 0.2 + 2.0 * relief.shade);
-    float menisci = 0.35 * smoothstep(0.1, 0.6, dampness);
+    float patches = smoothstep(0.0, 0.5, 1.4 * gloss - 0.2 + 3.0 * relief.shade);
+    float menisci = 0.6 * smoothstep(0.1, 0.6, dampness);
     c.film = max(patches * smoothstep(0.0, 0.15, gloss), menisci);
-    c.roughness = mix(mix(0.50, 0.36, menisci), 0.19, gloss) + (1.0 - gloss) * relief.rough;
+    c.roughness = mix(mix(0.50, 0.28, menisci), 0.19, gloss) + (1.0 - gloss) * relief.rough;
     c.dryness = dryness;
     float fold = clamp(side * hollow * 0.09, -0.3, 1.0);
-    c.openness = (1.0 - 0.5 * max(fold, 0.0)) * opennessAmongBalls(position, upright) *
+    // However close a ball is, some light comes along between it and the cloth.
+    c.openness = (1.0 - 0.4 * max(fold, 0.0)) * max(opennessAmongBalls(position, upright), 0.4) *
                  opennessAboveGround(position, upright);
     colour = vec4(toneMapped(clothLight(c)), 1.0);
 }

@@ -19,6 +19,9 @@ class SheetPass {
     bool empty() const { return count_ == 0; }
     // Draws into the bound shadow map.
     void drawShadows() const;
+    // Draws how much light each sheet lets through into the bound layers, where no solid of what is resolved for lookup
+    // hides it.
+    void drawLayers() const;
     // Draws into the bound scene, over what is resolved for lookup.
     void draw() const;
 
@@ -27,6 +30,7 @@ class SheetPass {
 
     ShaderProgram program_;
     ShaderProgram shadowProgram_;
+    ShaderProgram layerProgram_;
     std::vector<SheetBuffer> sheets_;
     std::size_t count_ = 0;
 };

@@ -327,6 +327,17 @@ TEST(WetCloth, MaterialCoordinatesGiveLinksTheirDirection) {
     EXPECT_GT(stretch[0], 5 * stretch[1]);  // hangs along the soft weft, then along the stiff warp
 }
 
+TEST(WetCloth, SaysWhatItIsMadeOfAndHowMuchLightItLetsThrough) {
+    SheetWorld rig(test::smallSheet);
+    const Fabric silk = fabrics::silk();
+    WetCloth cloth(rig.world(), rig.sheet(), silk);
+    EXPECT_EQ(cloth.fabric().name, silk.name);
+    EXPECT_DOUBLE_EQ(cloth.transmittance(5), WetLaws(silk).transmittance(0));
+    cloth.presoak(0.5 * silk.poreCapacity());
+    EXPECT_NEAR(cloth.saturation(5), 0.5, 1e-6);
+    EXPECT_DOUBLE_EQ(cloth.transmittance(5), WetLaws(silk).transmittance(cloth.saturation(5)));
+}
+
 TEST(WetCloth, RefusesInputThatIsNotFiniteBeforeBulletSeesIt) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     SheetWorld rig(test::smallSheet);
@@ -342,6 +353,7 @@ TEST(WetCloth, RefusesInputThatIsNotFiniteBeforeBulletSeesIt) {
     EXPECT_THROW(cloth.saturation(289), std::out_of_range);
     EXPECT_THROW(cloth.nodeMass(-1), std::out_of_range);
     EXPECT_THROW(cloth.gloss(289), std::out_of_range);
+    EXPECT_THROW(cloth.transmittance(289), std::out_of_range);
     EXPECT_EQ(cloth.waterMass(), 0.0);
 
     cloth.air().wind = {0, nan, 0};
