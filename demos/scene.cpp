@@ -34,10 +34,6 @@ std::vector<SceneSheet> Scene::sheets() {
     return list;
 }
 
-double& Scene::windSpeed() {
-    return stages().front()->weather().windSpeed;
-}
-
 const std::vector<SceneEntry>& scenes() {
     static const std::vector<SceneEntry> all = {
         {"ten-steps",

@@ -75,9 +75,7 @@ class Scene {
     /// The stages that it is played on now, by which everything on them can be reached and changed between frames.
     virtual std::vector<Stage*> stages() = 0;
     /// The sheets there are now.
-    virtual std::vector<SceneSheet> sheets();
-    /// Wind speed where the scene lets it blow, m/s; may be changed at any time.
-    virtual double& windSpeed();
+    std::vector<SceneSheet> sheets();
 
     /// Columns of its own that the water log of each frame gets, and their values now.
     virtual std::vector<Column> columns() const { return {}; }

@@ -68,16 +68,8 @@ SceneCloth::SceneCloth(SceneWorld& world, std::string name, const Fabric& fabric
                        std::unique_ptr<btSoftBody> body, const SheetSettings& settings)
     : isRectangle_(false), world_(world), fabric_(fabric), body_(std::move(body)) {
     description_.name = std::move(name);
-    description_.waterSpeed = settings.waterSpeed;
     wet_ = std::make_unique<WetCloth>(world_.world(), *body_, fabric_, settings);
     world_.addSoftBody(*body_);
-}
-
-SceneCloth::SceneCloth(std::string name, SceneWorld& world, const Fabric& fabric, const Corners& corners,
-                       int nodesWarp, int nodesWeft)
-    : SceneCloth(world, std::move(name), fabric,
-                 makeSheet(world.worldInfo(), fabric, corners, nodesWarp, nodesWeft), {}) {
-    description_.nodes = {nodesWarp, nodesWeft};
 }
 
 SceneCloth::~SceneCloth() {
@@ -142,6 +134,7 @@ SheetDescription SceneCloth::describe() const {
         throw std::runtime_error("the sheet '" + name() +
                                  "' is no rectangle, and a scene file cannot hold it");
     SheetDescription now = description_;
+    now.waterSpeed = waterSpeed();
     SheetState& state = now.state.emplace();
     for (int n = 0; n < body_->m_nodes.size(); ++n) {
         state.positions.push_back(plainVector(body_->m_nodes[n].m_x));

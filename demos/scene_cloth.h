@@ -21,8 +21,6 @@ class SceneCloth {
     /// A sheet of any other shape, which has neither rows nor a description.
     SceneCloth(SceneWorld& world, std::string name, const Fabric& fabric, std::unique_ptr<btSoftBody> body,
                const SheetSettings& settings);
-    SceneCloth(std::string name, SceneWorld& world, const Fabric& fabric, const Corners& corners,
-               int nodesWarp, int nodesWeft);
     ~SceneCloth();
     SceneCloth(const SceneCloth&) = delete;
     SceneCloth& operator=(const SceneCloth&) = delete;
@@ -44,7 +42,7 @@ class SceneCloth {
     /// Rate at which it loses velocity, 1/s.
     double damping() const { return description_.damping; }
     void setDamping(double rate) { description_.damping = rate; }
-    double waterSpeed() const { return description_.waterSpeed; }
+    double waterSpeed() const { return wet_->waterSpeed(); }
 
     int nodesWarp() const { return description_.nodes[0]; }
     int nodesWeft() const { return description_.nodes[1]; }

@@ -113,7 +113,9 @@ SourceDescription& Stage::source(const std::string& name) {
                namesOf(sources_, [](const auto& source) { return source.description().name; }));
 }
 
-void Stage::setWaterSpeed(double) {}
+void Stage::setWaterSpeed(double speed) {
+    for (const auto& sheet : sheets_) sheet->wet().setWaterSpeed(speed);
+}
 
 double Stage::stepBound() const {
     double bound = std::numeric_limits<double>::infinity();

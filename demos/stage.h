@@ -47,6 +47,7 @@ class Stage {
     Weather& weather() { return weather_.now(); }
     const Weather& weather() const { return weather_.now(); }
     /// How much faster water runs than the world's own time, for all sheets; 0 to 1e5.
+    /// @throws std::invalid_argument for a speed out of range
     void setWaterSpeed(double speed);
     /// Whether anything may bring water; otherwise no vapour passes either.
     bool hasWater() const { return description_.water; }
