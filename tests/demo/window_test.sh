@@ -4,7 +4,7 @@
 set -u
 program=$1 probe=$2
 if [ "${3:-}" != inside ]; then
-  exec xvfb-run --auto-servernum --server-args='-screen 0 1024x768x24' "$0" "$program" "$probe" inside
+  exec xvfb-run --auto-servernum --server-args='-screen 0 1024x768x24 -noreset' "$0" "$program" "$probe" inside
 fi
 . "$(dirname "$0")/window_helpers.sh"
 folder=$(mktemp -d)
