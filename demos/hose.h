@@ -7,17 +7,9 @@
 #include <vector>
 
 #include "graspable.h"
+#include "nozzle.h"
 
 namespace drench::demo {
-
-/// What sprays water.
-struct Nozzle {
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< m
-    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< any length above 0
-    double halfAngle = 0.2;                                ///< rad, of the cone; 0 to pi/2
-    double speed = 6;                                      ///< of the drops, m/s; above 0
-    double rate = 0.02;                                    ///< kg/s, at least 0
-};
 
 /// Sprays water at sheets, in the sheets' own time however fast their water runs, in an account named "hose".
 class Hose {

@@ -103,8 +103,9 @@ struct SolidDescription {
     Eigen::Vector3d velocity{0, 0, 0};
     Eigen::Vector3d spin{0, 0, 0};  ///< rad/s
     double friction = 0.5;  ///< Bullet's; for what touches it and is no cloth that its surface is said for
-    std::optional<SurfaceKind> surface;     ///< to cloth; none: as Bullet's friction says
-    std::optional<Eigen::Vector3d> colour;  ///< linear RGB, 0 to 1; none: the viewer's own
+    std::optional<SurfaceKind> surface;        ///< to cloth; none: as Bullet's friction says
+    std::optional<viewer::Material> material;  ///< none: the viewer's own
+    std::optional<Eigen::Vector3d> colour;     ///< linear RGB, 0 to 1; none: the viewer's own
 };
 
 /// A nozzle over the sheets; see drench::Spray.
@@ -114,6 +115,7 @@ struct SprayDescription {
     double halfAngle = 0.2;  ///< rad
     double rate = 0;         ///< kg/s
     double speed = 5;        ///< m/s
+    bool seen = true;        ///< false: what comes out is not shown
 };
 
 /// Still water; see drench::Pool.

@@ -29,6 +29,11 @@ const Names<SolidDescription::Shape> shapeNames = {{"ball", SolidDescription::Sh
                                                    {"ground", SolidDescription::Shape::ground}};
 const Names<SurfaceKind> surfaceNames = {
     {"plate", SurfaceKind::plate}, {"skin", SurfaceKind::skin}, {"rough", SurfaceKind::rough}};
+const Names<viewer::Material> materialNames = {{"paint", viewer::Material::paint},
+                                               {"wood", viewer::Material::wood},
+                                               {"metal", viewer::Material::metal},
+                                               {"stone", viewer::Material::stone},
+                                               {"rope", viewer::Material::rope}};
 const Names<std::size_t> waterNames = {
     {"spray", 0}, {"pool", 1}, {"soak", 2}, {"brush", 3}};  // as in the variant
 
@@ -303,6 +308,7 @@ void exchangeSolid(Fields& fields, SolidDescription& solid) {
     }
     fields.number("friction", solid.friction, {0, 10});
     optionalChoice(fields, "surface", solid.surface, surfaceNames);
+    optionalChoice(fields, "material", solid.material, materialNames);
     if constexpr (Fields::reads) {
         if (fields.any("colour")) fields.vector("colour", solid.colour.emplace(), shares);
     } else if (solid.colour) {
@@ -317,6 +323,7 @@ void exchangeWater(Fields& fields, SprayDescription& spray) {
     angle(fields, "halfAngle", spray.halfAngle, {0.6, 85});
     fields.number("rate", spray.rate, {0, 1000});
     fields.number("speed", spray.speed, {0, 100});
+    fields.truth("seen", spray.seen);
 }
 
 template <typename Fields>

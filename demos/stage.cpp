@@ -48,6 +48,7 @@ Stage::Stage(const SceneDescription& description)
       world_(
           makeWorld(description.solver.world, description.solver.solver, smallStepsOf(description.solver))),
       weather_(description.weather, description.seed, description.time, description.water),
+      effects_(world_->world(), description),
       time_(description.time) {
     for (const SolidDescription& solid : description_.solids) solids_.emplace_back(*world_, solid);
     addSheets();
@@ -140,6 +141,7 @@ void Stage::step(double frameTime) {
     for (const auto& sheet : sheets_) world_->damp(sheet->body(), sheet->damping(), frameTime / substeps_);
     world_->step(frameTime, substeps_);
     if (drops_) drops_->step(frameTime);
+    effects_.step(frameTime, time_, hasWater() ? weather_.now() : Weather(), sources_, sheets_, drops_.get());
     time_ = description_.time + frames_ * frameTime;  // not a sum of frames, whose rounding would add up
 }
 
@@ -149,11 +151,7 @@ void Stage::show(viewer::Picture& picture) const {
     for (const StageSource& source : sources_)
         if (const auto* pool = std::get_if<PoolDescription>(&source.description().water))
             showPool(picture, *pool, time_);
-    if (drops_)
-        for (const FallingDrops::Flight& flight : drops_->inFlight()) {
-            const Eigen::Vector3f place = flight.position.cast<float>();
-            picture.rods.push_back({place, place, 0.004f, {0.25f, 0.42f, 0.62f}});
-        }
+    effects_.show(picture);
     picture.camera = description_.camera;
     picture.towardsSun = description_.sun.cast<float>();
 }

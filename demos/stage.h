@@ -10,6 +10,7 @@
 #include "scene_cloth.h"
 #include "scene_description.h"
 #include "scene_world.h"
+#include "stage_effects.h"
 #include "stage_solid.h"
 #include "stage_source.h"
 #include "stage_weather.h"
@@ -49,10 +50,12 @@ class Stage {
     /// How much faster water runs than the world's own time, for all sheets; 0 to 1e5.
     /// @throws std::invalid_argument for a speed out of range
     void setWaterSpeed(double speed);
+    /// Shows what a nozzle sprays in the next step; it wets what is solid for the eye, and no sheet.
+    void showSpray(const Nozzle& nozzle) { effects_.spray(nozzle); }
     /// Whether anything may bring water; otherwise no vapour passes either.
     bool hasWater() const { return description_.water; }
 
-    /// Steps everything by one frame: weather, sources, world and drops.
+    /// Steps everything by one frame: weather, sources, world, drops, and what only the eye sees.
     void step(double frameTime);
     /// That has passed, s, counted from the description's own.
     double time() const { return time_; }
@@ -80,6 +83,7 @@ class Stage {
     std::vector<StageSource> sources_;
     StageWeather weather_;
     std::unique_ptr<FallingDrops> drops_;
+    StageEffects effects_;
     int substeps_ = 1;
     int frames_ = 0;
     double time_;  // s

@@ -22,10 +22,11 @@ btRigidBody& addTo(SceneWorld& world, const SolidDescription& solid) {
     return world.addBall(place, solid.radius, solid.mass);
 }
 
-/// Gives what is shown the colour that is wanted, if any is.
+/// Gives what is shown the colour and the material that are wanted, if any are.
 template <typename Thing>
-Thing coloured(Thing thing, const std::optional<Eigen::Vector3d>& colour) {
-    if (colour) thing.albedo = colour->cast<float>();
+Thing dressed(Thing thing, const SolidDescription& solid) {
+    if (solid.colour) thing.albedo = solid.colour->cast<float>();
+    if (solid.material) thing.material = *solid.material;
     return thing;
 }
 
@@ -65,16 +66,14 @@ void StageSolid::show(viewer::Picture& picture) const {
     const Eigen::Quaternionf turn = now.turn.cast<float>();
     switch (now.shape) {
         case SolidDescription::Shape::ball:
-            picture.balls.push_back(coloured(viewer::Ball{place, float(now.radius), turn}, now.colour));
+            picture.balls.push_back(dressed(viewer::Ball{place, float(now.radius), turn}, now));
             break;
         case SolidDescription::Shape::box:
-            picture.boxes.push_back(
-                coloured(viewer::Box{place, now.halfExtents.cast<float>(), turn}, now.colour));
+            picture.boxes.push_back(dressed(viewer::Box{place, now.halfExtents.cast<float>(), turn}, now));
             break;
         case SolidDescription::Shape::capsule: {
             const Eigen::Vector3f half = turn * Eigen::Vector3f(0, float(now.length) / 2, 0);
-            picture.rods.push_back(
-                coloured(viewer::Rod{place - half, place + half, float(now.radius)}, now.colour));
+            picture.rods.push_back(dressed(viewer::Rod{place - half, place + half, float(now.radius)}, now));
             break;
         }
         case SolidDescription::Shape::ground:

@@ -104,6 +104,13 @@ void StageSource::prepare(double time, double frameTime) {
     }
 }
 
+std::optional<Nozzle> StageSource::nozzle(double time, double frameTime) const {
+    const auto* const spray = std::get_if<SprayDescription>(&description_.water);
+    const bool flows = spray && spray->seen && spray->rate > 0 && spray->speed > 0;
+    if (!flows || !isDue(time, frameTime)) return std::nullopt;
+    return Nozzle{spray->origin, spray->direction, spray->halfAngle, spray->speed, spray->rate};
+}
+
 std::optional<SourceDescription> StageSource::describe(double time) const {
     SourceDescription now = description_;
     auto* const soak = std::get_if<SoakDescription>(&now.water);

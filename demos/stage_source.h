@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "scene_cloth.h"
 #include "scene_description.h"
+#include "water_effects.h"
 
 namespace drench::demo {
 
@@ -21,6 +23,9 @@ class StageSource {
 
     /// Makes it work, or rest, in the frame that begins at a time, s.
     void prepare(double time, double frameTime);
+
+    /// What is to be seen of a spray in the frame that begins at a time, s; none of other water, or while it rests.
+    std::optional<Nozzle> nozzle(double time, double frameTime) const;
 
     /// As it is now; none once it has given all it had.
     std::optional<SourceDescription> describe(double time) const;

@@ -21,30 +21,29 @@ class LaterWind final : public WindField {
     double ahead_;  // s
 };
 
-/// Rain drifts with the wind, but not so fast that drenchs's drops could not follow.
-Eigen::Vector3d velocityOfRain(const Eigen::Vector3d& wind) {
+}  // namespace
+
+Eigen::Vector3d windOf(const Weather& weather) {
+    const double length = weather.windDirection.norm();
+    if (!(length > 0)) return Eigen::Vector3d::Zero();
+    // A unit vector is taken as it is, without another rounding.
+    const bool isUnit = std::abs(length - 1) < 1e-9;
+    return weather.windDirection * (isUnit ? weather.windSpeed : weather.windSpeed / length);
+}
+
+Eigen::Vector3d velocityOfRain(const Weather& weather) {
     constexpr double fall = 6.5, fastest = 40;  // m/s; the fall is that of drops of 2 mm
-    const Eigen::Vector3d drift(wind.x(), 0, wind.z());
+    const Eigen::Vector3d wind = windOf(weather), drift(wind.x(), 0, wind.z());
     const double speed = drift.norm();
     return Eigen::Vector3d(0, -fall, 0) + drift * (speed > fastest ? fastest / speed : 1);
 }
 
-}  // namespace
-
 StageWeather::StageWeather(const Weather& weather, unsigned randomSeed, double time, bool water)
     : weather_(weather), seed_(randomSeed), time_(time), water_(water) {}
 
-Eigen::Vector3d StageWeather::wind() const {
-    const double length = weather_.windDirection.norm();
-    if (!(length > 0)) return Eigen::Vector3d::Zero();
-    // A unit vector is taken as it is, without another rounding.
-    const bool isUnit = std::abs(length - 1) < 1e-9;
-    return weather_.windDirection * (isUnit ? weather_.windSpeed : weather_.windSpeed / length);
-}
-
 /// Makes gusts only where the weather has changed, as new ones jump.
 void StageWeather::renewGusts() {
-    const Gale wanted{wind(), weather_.gusts, weather_.gustLength};
+    const Gale wanted{windOf(weather_), weather_.gusts, weather_.gustLength};
     if (!(wanted.intensity > 0) || wanted.mean.isZero()) {
         gusts_.reset();
         return;
@@ -62,7 +61,7 @@ void StageWeather::rainOn(SceneCloth& sheet, unsigned randomSeed) {
     if (!rain && weather_.rain > 0 && water_) rain = &sheet.wet().add(Rain(0, randomSeed));
     if (!rain) return;
     rain->intensity = weather_.rain;
-    rain->velocity = velocityOfRain(wind());
+    rain->velocity = velocityOfRain(weather_);
 }
 
 void StageWeather::bringTo(const std::vector<std::unique_ptr<SceneCloth>>& sheets) {
@@ -75,7 +74,7 @@ void StageWeather::bringTo(const std::vector<std::unique_ptr<SceneCloth>>& sheet
         air.vapourExchange = water_ ? weather_.vapourExchange : 0;
         air.shelterLength = weather_.shelterLength;
         air.field = gusts_;
-        air.wind = gusts_ ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : wind();
+        air.wind = gusts_ ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : windOf(weather_);
         rainOn(*sheet, randomSeed++);
     }
 }

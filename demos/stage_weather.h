@@ -10,6 +10,12 @@
 
 namespace drench::demo {
 
+/// Mean velocity of the wind, m/s.
+Eigen::Vector3d windOf(const Weather& weather);
+
+/// Of drops of rain, which drift with the wind up to 40 m/s, m/s.
+Eigen::Vector3d velocityOfRain(const Weather& weather);
+
 /// Brings the weather to some sheets: their air, and one rain for each.
 class StageWeather {
   public:
@@ -32,7 +38,6 @@ class StageWeather {
         double length;
     };
 
-    Eigen::Vector3d wind() const;
     void renewGusts();
     void rainOn(SceneCloth& sheet, unsigned randomSeed);
 

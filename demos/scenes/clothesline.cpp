@@ -185,8 +185,8 @@ void Clothesline::showPegs(viewer::Picture& picture) const {
     for (const int peg : pegs_) {
         const Eigen::Vector3f middle =
             0.5f * (toEigen(cloth().node(peg, 0).m_x) + toEigen(cloth().node(peg + 1, 0).m_x));
-        picture.rods.push_back(
-            {middle - Eigen::Vector3f(0, 0.03f, 0), middle + Eigen::Vector3f(0, 0.03f, 0), 0.009f, plastic});
+        picture.rods.push_back({middle - Eigen::Vector3f(0, 0.03f, 0), middle + Eigen::Vector3f(0, 0.03f, 0),
+                                0.009f, plastic, viewer::Material::paint});
     }
 }
 

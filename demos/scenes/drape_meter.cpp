@@ -73,7 +73,7 @@ void showPedestal(viewer::Picture& picture, float x) {
     const Eigen::Vector3f metal(0.25f, 0.25f, 0.27f);
     picture.sheets.push_back(cylinder({x, top - clear - thickness, 0}, radius, thickness, metal));
     constexpr float foot = 0.02f;
-    picture.rods.push_back({{x, 0, 0}, {x, top - thickness - foot, 0}, foot, metal});
+    picture.rods.push_back({{x, 0, 0}, {x, top - thickness - foot, 0}, foot, metal, viewer::Material::metal});
 }
 
 /// Root mean square of the nodes' speeds, m/s.

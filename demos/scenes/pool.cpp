@@ -103,10 +103,11 @@ void Dip::showBar(viewer::Picture& picture) const {
     picture.rods.push_back({{-reach, y, 0}, {reach, y, 0}, float(barRadius), {0.30f, 0.22f, 0.15f}});
     for (const int node : held_) {
         const Eigen::Vector3f clip = toEigen(cloth().body().m_nodes[node].m_x);
-        picture.rods.push_back({clip, {clip.x(), y, clip.z()}, 0.006f, {0.5f, 0.5f, 0.5f}});
+        picture.rods.push_back(
+            {clip, {clip.x(), y, clip.z()}, 0.006f, {0.5f, 0.5f, 0.5f}, viewer::Material::metal});
     }
     for (const float x : {-reach + 0.02f, reach - 0.02f})
-        picture.rods.push_back({{x, y, 0}, {x, 2, 0}, 0.003f, {0.4f, 0.4f, 0.4f}});
+        picture.rods.push_back({{x, y, 0}, {x, 2, 0}, 0.003f, {0.4f, 0.4f, 0.4f}, viewer::Material::metal});
 }
 
 void Dip::check(std::vector<std::string>& list) const {

@@ -146,14 +146,15 @@ void Spill::adorn(viewer::Picture& picture) const {
 }
 
 void Spill::showJug(viewer::Picture& picture) const {
-    const Eigen::Vector3f china(0.75f, 0.74f, 0.70f), water(0.35f, 0.47f, 0.58f);
-    const Eigen::Vector3f spout = spout_.cast<float>();
-    picture.rods.push_back(
-        {spout + Eigen::Vector3f(0.08f, 0.02f, 0), spout + Eigen::Vector3f(0.20f, 0.09f, 0), 0.055f, china});
-    picture.rods.push_back(
-        {spout + Eigen::Vector3f(0.02f, 0.01f, 0), spout + Eigen::Vector3f(0.10f, 0.02f, 0), 0.016f, china});
-    picture.rods.push_back(
-        {spout, {spout.x(), float(table_.position.y() + table_.halfExtents.y()), spout.z()}, 0.009f, water});
+    const Eigen::Vector3f china(0.75f, 0.74f, 0.70f), spout = spout_.cast<float>();
+    const auto piece = [&](const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius) {
+        picture.rods.push_back({spout + from, spout + to, radius, china, viewer::Material::paint});
+    };
+    piece({0.08f, 0.02f, 0}, {0.20f, 0.09f, 0}, 0.055f);
+    piece({0.02f, 0.01f, 0}, {0.10f, 0.02f, 0}, 0.016f);
+    // The thread of water, as one drop that is drawn out over all of its way while the picture is exposed.
+    const float fall = spout.y() - float(table_.position.y() + table_.halfExtents.y());
+    picture.drops.push_back({spout - Eigen::Vector3f(0, fall / 2, 0), {0, -120 * fall, 0}, 0.005f});
 }
 
 std::optional<std::string> Spill::moment() const {

@@ -262,7 +262,8 @@ void TenSteps::showLine(viewer::Picture& picture) const {
     const Eigen::Vector3f left = toEigen(sheet().node(0, 0).m_x), right = toEigen(sheet().node(last, 0).m_x);
     const Eigen::Vector3f beyond(0.35f, 0, 0), behind(0, 0, -0.012f);
     const Eigen::Vector3f wood(0.30f, 0.22f, 0.15f), rope(0.62f, 0.58f, 0.50f);
-    picture.rods.push_back({left - beyond + behind, right + beyond + behind, 0.008f, rope});
+    picture.rods.push_back(
+        {left - beyond + behind, right + beyond + behind, 0.008f, rope, viewer::Material::rope});
     for (const Eigen::Vector3f& end : {Eigen::Vector3f(left - beyond), Eigen::Vector3f(right + beyond)})
         picture.rods.push_back({{end.x(), 0, end.z()}, {end.x(), end.y() + 0.1f, end.z()}, 0.04f, wood});
     for (const int i : {0, heldNodes - 1, last + 1 - heldNodes, last}) {

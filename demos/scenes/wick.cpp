@@ -69,8 +69,11 @@ void showFrame(viewer::Picture& picture, const SheetDescription& strip, float le
     picture.rods.push_back({{-side, top, 0}, {side, top, 0}, 0.005f, wood});
     for (int centimetre = 0; level + 0.01f * float(centimetre) < top; ++centimetre) {
         const float y = level + 0.01f * float(centimetre), reach = centimetre % 5 == 0 ? 0.014f : 0.007f;
-        picture.rods.push_back(
-            {{side + 0.005f, y, 0.002f}, {side + 0.005f + reach, y, 0.002f}, 0.0006f, mark});
+        picture.rods.push_back({{side + 0.005f, y, 0.002f},
+                                {side + 0.005f + reach, y, 0.002f},
+                                0.0006f,
+                                mark,
+                                viewer::Material::paint});
     }
 }
 

@@ -13,10 +13,15 @@ class BackgroundPass {
 
     // Draws into the bound scene, where nothing nearer is drawn already.
     void draw(bool groundIsSeen) const;
+    // Draws the ground into a bound target that has depth only.
+    void drawDepth(bool groundIsSeen) const;
 
   private:
+    void drawGround(const ShaderProgram& program) const;
+
     VertexArray noAttributes_;
     ShaderProgram ground_;
+    ShaderProgram groundDepth_;
     ShaderProgram sky_;
 };
 

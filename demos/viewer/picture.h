@@ -39,6 +39,9 @@ struct SheetMesh {
     std::vector<float> values;
 };
 
+// What a solid is made of. Its colour is the albedo of the solid; grain, sheen and unevenness come from this.
+enum class Material { paint, wood, metal, stone, rope };
+
 // A striped ball.
 struct Ball {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
@@ -48,6 +51,8 @@ struct Ball {
     Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
     // Colour of the dark stripes; the light ones are a paler tone of it.
     Eigen::Vector3f albedo = Eigen::Vector3f(0.65f, 0.16f, 0.08f);
+    // Only paint has stripes.
+    Material material = Material::paint;
 };
 
 // A rod with round ends: a piece of clothes line, a post or a pin.
@@ -57,6 +62,8 @@ struct Rod {
     // Above 0; the round ends reach this far beyond `from` and `to`.
     float radius = 0.01f;
     Eigen::Vector3f albedo = Eigen::Vector3f(0.4f, 0.4f, 0.4f);
+    // The grain of wood and the strands of a rope run along it.
+    Material material = Material::wood;
 };
 
 // A box with flat faces: a table top, a roof.
@@ -67,6 +74,8 @@ struct Box {
     // Turns its axes; has unit length.
     Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
     Eigen::Vector3f albedo = Eigen::Vector3f(0.4f, 0.4f, 0.4f);
+    // The grain of wood runs along the longest side, in boards where the box is wide.
+    Material material = Material::stone;
 };
 
 // Standing water: a box along the axes of the world, as in a tank of clear glass, with a rippled level surface.
@@ -107,13 +116,17 @@ struct MistPuff {
     float density = 0.1f;
 };
 
-// A wet place on the ground or on a ball, rod or box: what lies within the radius is wet.
+// A wet place on the ground or on a ball, rod or box: what lies within the radius is wet, with an uneven edge.
 struct WetPatch {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
     // Above 0.
     float radius = 0.01f;
     // 0 (dry) to 1 (dark and glossy).
     float wetness = 1.0f;
+    // Turns the outline with the body that the patch is on; has unit length.
+    Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+    // Picks one of many outlines, 0 to 1; the same number gives the same one.
+    float outline = 0.0f;
 };
 
 // What the colours of a picture of a quantity mean; they run evenly from one value to the other.
@@ -167,7 +180,8 @@ struct Picture {
     std::vector<Streak> streaks;
     std::vector<MistPuff> mist;
     std::vector<WetPatch> patches;
-    // Height of the level ground; it is seen from above only.
+    // Height of the level ground, a terrace of flagstones (10 rows of 0.5 m, 0.7 m long each) in a lawn; it is seen
+    // from above only.
     float groundHeight = 0.0f;
     // Points from the scene to the sun; any length above 0.
     Eigen::Vector3f towardsSun = Eigen::Vector3f(-0.62f, 0.75f, 0.50f);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "viewer/airborne_water.h"
 #include "viewer/background_pass.h"
 #include "viewer/caption.h"
 #include "viewer/frame_uniforms.h"
@@ -15,6 +16,7 @@
 #include "viewer/sheet_pass.h"
 #include "viewer/solid_pass.h"
 #include "viewer/water_pass.h"
+#include "viewer/wet_patches.h"
 
 namespace drench::viewer {
 
@@ -57,6 +59,10 @@ void setPlainState() {
     glDepthFunc(GL_LEQUAL);
 }
 
+bool groundIsSeen(const FrameUniforms& uniforms) {
+    return uniforms.eye[1] > uniforms.ground[0];
+}
+
 }  // namespace
 
 class Renderer::Scene {
@@ -72,6 +78,7 @@ class Renderer::Scene {
     // Returns points that surround all that casts a shadow.
     std::vector<Eigen::Vector3f> upload(const Picture& picture);
     void drawShadows(const FrameUniforms& uniforms) const;
+    void drawWetness(const FrameUniforms& uniforms);
     void drawScene(const FrameUniforms& uniforms) const;
     void present(unsigned framebuffer, const Area& area) const;
 
@@ -84,6 +91,8 @@ class Renderer::Scene {
     BackgroundPass background_;
     SheetPass sheets_;
     WaterPass waters_;
+    WetPatches patches_;
+    AirborneWater airborne_;
     std::optional<SceneTarget> target_;
     std::optional<LayersTarget> layers_;
     Caption caption_;
@@ -94,6 +103,8 @@ std::vector<Eigen::Vector3f> Renderer::Scene::upload(const Picture& picture) {
     solids_.upload(picture, casters);
     sheets_.upload(picture, casters);
     waters_.upload(picture.waters);
+    patches_.upload(picture.patches);
+    airborne_.upload(picture);
     return casters;
 }
 
@@ -106,14 +117,25 @@ void Renderer::Scene::drawShadows(const FrameUniforms& uniforms) const {
     shadow_.end();
 }
 
+void Renderer::Scene::drawWetness(const FrameUniforms& uniforms) {
+    if (patches_.empty()) {
+        return;
+    }
+    frameBlock_.bind(uniforms);
+    patches_.beginSolids(target_->width(), target_->height());
+    solids_.drawDepth();
+    background_.drawDepth(groundIsSeen(uniforms));
+    patches_.drawOntoSolids();
+}
+
 void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
     target_->bind();
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     frameBlock_.bind(uniforms);
     shadow_.bindForLookup();
+    patches_.bindForLookup();
     solids_.draw();
-    const bool groundIsSeen = uniforms.eye[1] > uniforms.ground[0];
-    background_.draw(groundIsSeen);
+    background_.draw(groundIsSeen(uniforms));
     if (!sheets_.empty()) {
         target_->resolveForBlurredLookup();
         layers_->begin();
@@ -125,6 +147,10 @@ void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
     if (!waters_.empty()) {
         target_->resolveForLookup();
         waters_.draw();
+    }
+    if (!airborne_.empty()) {
+        target_->resolveForLookup();
+        airborne_.draw();
     }
     shadow_.unbind();
 }
@@ -162,6 +188,7 @@ void Renderer::Scene::draw(const Picture& picture, const Area& area, unsigned fr
 
     setPlainState();
     drawShadows(sunUniforms(uniforms, shadow));
+    drawWetness(uniforms);
     drawScene(uniforms);
     present(framebuffer, area);
     caption_.draw(picture, area);

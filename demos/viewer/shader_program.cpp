@@ -65,6 +65,7 @@ void ShaderProgram::bindInputs() const {
     glUniform1i(glGetUniformLocation(program_.name(), "scene"), 1);
     glUniform1i(glGetUniformLocation(program_.name(), "sunDepth"), 2);
     glUniform1i(glGetUniformLocation(program_.name(), "sceneDepth"), 3);
+    glUniform1i(glGetUniformLocation(program_.name(), "wetness"), 6);
     glUniform1i(glGetUniformLocation(program_.name(), "sunPassing"), 4);
     glUniform1i(glGetUniformLocation(program_.name(), "sheetLayers"), 5);
     glUseProgram(0);

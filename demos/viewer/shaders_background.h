@@ -15,33 +15,87 @@ void main() {
 }
 )";
 
+inline constexpr char depthFragment[] = R"(
+void main() {}
+)";
+
+// A terrace of flagstones round the origin, and a lawn from there to the haze.
 inline constexpr char groundFragment[] = R"(
 in vec3 position;
 out vec4 colour;
 
-// 1 on the lines between squares of one metre, averaged over the width of the pixel.
-float gridLine(vec2 at) {
-    const float halfWidth = 0.008;
-    vec2 pixel = max(fwidth(at), 1e-5);
-    vec2 away = abs(fract(at - 0.5) - 0.5);
-    vec2 covered = clamp((halfWidth + 0.5 * pixel - away) / pixel, 0.0, 1.0);
-    covered *= min(2.0 * halfWidth / pixel, 1.0);
-    // Where a pixel is wider than a square only the average is left, and far away not even that.
-    covered *= 1.0 - smoothstep(0.15, 0.6, pixel);
-    return max(covered.x, covered.y);
+struct Soil {
+    vec3 albedo;
+    float height;
+};
+
+// Rows of flagstones, 0.5 m by 0.7 m, each of a tone of its own, with sand in the joints.
+Soil paving(vec2 at, float pixel) {
+    const vec2 size = vec2(0.7, 0.5);
+    const float halfJoint = 0.005;
+    float wobble = 0.006 * layeredNoise(9.0 * at, 9.0 * pixel);
+    vec2 moved = at + wobble;
+    float row = floor(moved.y / size.y);
+    vec2 grid = vec2(moved.x / size.x + 7.0 * latticeValue(vec2(row, 11.0)), moved.y / size.y);
+    vec2 slab = floor(grid);
+    vec2 away = (0.5 - abs(grid - slab - 0.5)) * size;
+    float edge = min(away.x, away.y);
+    float joint = clamp((halfJoint + 0.5 * pixel - edge) / max(pixel, 1e-5), 0.0, 1.0) *
+                  min(2.0 * halfJoint / max(pixel, 1e-5), 1.0);
+    float tone = latticeValue(slab);
+    float stains = layeredNoise(1.6 * at + 3.0 * tone, 1.6 * pixel);
+    float grain = layeredNoise(60.0 * at, 60.0 * pixel);
+    float pits = layeredNoise(21.0 * at + 17.0 * tone, 21.0 * pixel);
+    float pores = smoothstep(0.22, 0.40, valueNoise(150.0 * at)) * (1.0 - smoothstep(0.002, 0.006, pixel));
+    const vec3 grey = vec3(0.265, 0.262, 0.248), warm = vec3(0.285, 0.258, 0.212);
+    vec3 stoneAlbedo = mix(grey, warm, 0.5 + 0.9 * latticeValue(slab + 31.0));
+    stoneAlbedo *= 1.0 + 0.16 * tone + 0.16 * stains + 0.20 * grain + 0.12 * pits - 0.30 * pores;
+    vec3 sand = vec3(0.115, 0.105, 0.078) * (1.0 + 0.3 * grain);
+    float rounded = smoothstep(0.0, 0.02, edge) * (1.0 - smoothstep(0.004, 0.02, pixel));
+    return Soil(mix(stoneAlbedo, sand, joint), 0.0016 * rounded + 0.0007 * grain + 0.0010 * pits);
+}
+
+// Short grass, seen as tufts and patches.
+Soil lawn(vec2 at, float pixel) {
+    float patches = layeredNoise(0.35 * at, 0.35 * pixel);
+    float tufts = layeredNoise(11.0 * at, 11.0 * pixel);
+    float blades = layeredNoise(90.0 * at, 90.0 * pixel);
+    vec3 grass = mix(vec3(0.080, 0.115, 0.034), vec3(0.150, 0.165, 0.060), 0.5 + 0.5 * patches + 0.25 * tufts);
+    return Soil(grass * (1.0 + 0.35 * tufts + 0.45 * blades), 0.004 * tufts + 0.002 * blades);
+}
+
+// 1 on the terrace, 0 on the lawn.
+float onTerrace(vec2 at, float pixel) {
+    vec2 outside = abs(at) - vec2(5.6, 4.5);
+    float edge = max(outside.x, outside.y) + 0.05 * layeredNoise(4.0 * at, 4.0 * pixel);
+    return 1.0 - smoothstep(-0.02 - pixel, 0.02 + pixel, edge);
 }
 
 void main() {
     const vec3 up = vec3(0.0, 1.0, 0.0);
-    float uneven = valueNoise(0.7 * position.xz) + 0.6 * valueNoise(2.3 * position.xz + 5.7);
-    uneven *= 1.0 - smoothstep(0.1, 0.5, max(fwidth(position.x), fwidth(position.z)));
-    vec3 albedo = groundAlbedo * (1.0 + 0.10 * uneven) * (1.0 - 0.30 * gridLine(position.xz));
-    vec3 sun = sunLight * towardsSun.y * sunVisible(position, up);
-    vec3 light = albedo * (sun + ambientLight(up) * opennessAmongBalls(position, up));
+    vec2 at = position.xz;
+    float pixel = max(length(dFdx(at)), length(dFdy(at)));
+    Soil soil = lawn(at, pixel);
+    float paved = onTerrace(at, pixel);
+    if (paved > 0.0) {
+        Soil slabs = paving(at, pixel);
+        soil = Soil(mix(soil.albedo, slabs.albedo, paved), mix(soil.height, slabs.height, paved));
+    }
+    Surface s;
+    s.position = position;
+    s.albedo = soil.albedo;
+    s.reflectance = 0.0;
+    s.roughness = 1.0;
+    s.translucency = 0.0;
+    s.openness = opennessAmongBalls(position, up);
+    float wet = wetnessHere() * mix(0.35, 1.0, paved);
+    // A film of water lies smoothly over what is uneven.
+    s.normal = normalize(mix(bumped(position, up, soil.height), up, 0.8 * wet));
+    makeWet(s, wet);
     vec3 away = position - eye.xyz;
     float haze = 1.0 - exp(-pow(length(away) / 75.0, 1.5));
     vec3 level = normalize(vec3(away.x, 0.0, away.z) + vec3(1e-6));
-    colour = vec4(toneMapped(mix(light, skyLight(level), haze)), 1.0);
+    colour = vec4(toneMapped(mix(shaded(s), skyLight(level), haze)), 1.0);
 }
 )";
 

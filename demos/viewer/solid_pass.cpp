@@ -1,6 +1,8 @@
 #include "viewer/solid_pass.h"
 
 #include "viewer/shaders_lighting.h"
+#include "viewer/shaders_materials.h"
+#include "viewer/shaders_noise.h"
 #include "viewer/shaders_shadow.h"
 #include "viewer/shaders_solids.h"
 
@@ -11,7 +13,8 @@ namespace {
 ShaderProgram lit(const char* name, const char* vertex, const char* fragment) {
     return {name,
             {shaders::frame, vertex},
-            {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, fragment}};
+            {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
+             shaders::wetting, shaders::solidMaterials, fragment}};
 }
 
 ShaderProgram shadow(const char* name, const char* vertex) {

@@ -19,6 +19,8 @@ class SolidPass {
     void upload(const Picture& picture, std::vector<Eigen::Vector3f>& casters);
     // Draws into the bound shadow map.
     void drawShadows() const;
+    // Draws into a bound target that has depth only.
+    void drawDepth() const { drawShadows(); }
     // Draws into the bound scene.
     void draw() const;
 

@@ -26,6 +26,11 @@ std::array<float, 4> packed(const Eigen::Quaternionf& turn) {
     return {turn.x(), turn.y(), turn.z(), turn.w()};
 }
 
+// As the shaders know it.
+float number(Material material) {
+    return static_cast<float>(material);
+}
+
 const void* bufferOffset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);
 }
@@ -72,8 +77,8 @@ std::vector<Water> drawableWaters(const std::vector<Water>& waters) {
 std::vector<SolidInstance> instances(const std::vector<Ball>& balls) {
     std::vector<SolidInstance> packedBalls;
     for (const Ball& ball : balls) {
-        packedBalls.push_back(
-            {packed(ball.centre, ball.radius), packed(ball.orientation), packed(ball.albedo, 1.0f)});
+        packedBalls.push_back({packed(ball.centre, ball.radius), packed(ball.orientation),
+                               packed(ball.albedo, number(ball.material))});
     }
     return packedBalls;
 }
@@ -81,7 +86,8 @@ std::vector<SolidInstance> instances(const std::vector<Ball>& balls) {
 std::vector<SolidInstance> instances(const std::vector<Rod>& rods) {
     std::vector<SolidInstance> packedRods;
     for (const Rod& rod : rods) {
-        packedRods.push_back({packed(rod.from, rod.radius), packed(rod.to, 1.0f), packed(rod.albedo, 1.0f)});
+        packedRods.push_back(
+            {packed(rod.from, rod.radius), packed(rod.to, 1.0f), packed(rod.albedo, number(rod.material))});
     }
     return packedRods;
 }
@@ -89,8 +95,8 @@ std::vector<SolidInstance> instances(const std::vector<Rod>& rods) {
 std::vector<SolidInstance> instances(const std::vector<Box>& boxes) {
     std::vector<SolidInstance> packedBoxes;
     for (const Box& box : boxes) {
-        packedBoxes.push_back({packed(box.centre, 1.0f), packed(box.orientation), packed(box.albedo, 1.0f),
-                               packed(box.halfExtents, 0.0f)});
+        packedBoxes.push_back({packed(box.centre, 1.0f), packed(box.orientation),
+                               packed(box.albedo, number(box.material)), packed(box.halfExtents, 0.0f)});
     }
     return packedBoxes;
 }

@@ -18,6 +18,7 @@ struct SolidInstance {
     std::array<float, 4> first;
     // The orientation (x, y, z, w) of a ball or a box, or a rod's end.
     std::array<float, 4> second;
+    // In the last place the number of the material.
     std::array<float, 4> albedo;
     // Half the sides of a box or a water.
     std::array<float, 4> extents = {};
