@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "angles.h"
-#include "scene.h"
-
 namespace drench::demo {
 
 namespace {
@@ -60,34 +57,19 @@ void Hand::drag(const std::vector<Graspable>& sheets, const Pointer& pointer, do
 void Hand::spray(const std::vector<Graspable>& sheets, const Pointer& pointer, double frameTime) {
     const auto hit = firstHit(sheets, pointer.ray);
     nozzle_ = nozzleFor(pointer, hit ? hit->distance : farthestAim / 2);
-    flight_ = hit ? (Eigen::Vector3d(hit->point.x(), hit->point.y(), hit->point.z()) - nozzle_->place).norm()
-                  : farthestAim / 2;
-    ++frames_;
     hose_.spray(sheets, *nozzle_, frameTime);
 }
 
-/// Drops one behind the other, at places in the cone that look like chance and are the same in each run.
+/// What flies out of it is the stage's to show.
 void Hand::show(viewer::Picture& picture) const {
     if (!nozzle_) return;
     const Eigen::Vector3d along = nozzle_->direction.normalized();
-    const Eigen::Vector3d side = along.unitOrthogonal(), other = along.cross(side);
-    const Eigen::Vector3d grip = nozzle_->place - 0.22 * along - 0.06 * Eigen::Vector3d::UnitY();
-    picture.rods.push_back({(nozzle_->place - 0.05 * along).cast<float>(), nozzle_->place.cast<float>(),
-                            0.012f, Eigen::Vector3f(0.55f, 0.42f, 0.15f)});
-    picture.rods.push_back({grip.cast<float>(), (nozzle_->place - 0.06 * along).cast<float>(), 0.018f,
-                            Eigen::Vector3f(0.04f, 0.10f, 0.05f)});
-    constexpr int drops = 260;
-    constexpr double golden = 0.6180339887, plastic = 0.7548776662, plasticSquared = 0.5698402910;
-    const double advance = nozzle_->speed * Scene::frameTime * frames_;
-    for (int i = 1; i <= drops; ++i) {
-        const auto part = [&](double step) { return i * step - std::floor(i * step); };
-        const double flown = std::fmod(part(golden) * flight_ + advance, flight_);
-        const double angle = 2 * pi * part(plastic);
-        const double offset = flown * std::tan(nozzle_->halfAngle) * std::sqrt(part(plasticSquared));
-        const Eigen::Vector3d spread = offset * (std::cos(angle) * side + std::sin(angle) * other);
-        picture.drops.push_back({(nozzle_->place + flown * along + spread).cast<float>(),
-                                 (nozzle_->speed * along).cast<float>(), 0.0022f});
-    }
+    const Eigen::Vector3d neck = nozzle_->place - 0.06 * along;
+    const Eigen::Vector3d grip = neck - 0.16 * along - 0.06 * Eigen::Vector3d::UnitY();
+    picture.rods.push_back(
+        {neck.cast<float>(), nozzle_->place.cast<float>(), 0.012f, Eigen::Vector3f(0.55f, 0.42f, 0.15f)});
+    picture.rods.push_back(
+        {grip.cast<float>(), neck.cast<float>(), 0.018f, Eigen::Vector3f(0.04f, 0.10f, 0.05f)});
 }
 
 void dabDry(WetCloth& cloth, const btSoftBody& body, const btVector3& point, double time) {

@@ -33,8 +33,6 @@ class Hand {
     bool pressed_ = false;  // in the frame before
     Hose hose_;
     std::optional<Nozzle> nozzle_;
-    double flight_ = 0;  // of the water, m
-    int frames_ = 0;     // in which the hose was on
 };
 
 /// Takes water off a sheet within 6 cm of a point for `time` s, as an absorbent towel does: film within a tenth of a

@@ -88,9 +88,10 @@ void Panel::showReadings(const Snapshot& snapshot, const std::string& notice) co
     ImGui::PopTextWrapPos();
     for (const std::string& each : {notice, snapshot.notice})
         if (!each.empty()) ImGui::TextWrapped("%s", each.c_str());
-    if (ImGui::CollapsingHeader("water, the last minute", ImGuiTreeNodeFlags_DefaultOpen)) water_.draw(90);
+    if (ImGui::CollapsingHeader("water, the last minute", ImGuiTreeNodeFlags_DefaultOpen))
+        water_.draw(7 * ImGui::GetFontSize());
     if (ImGui::CollapsingHeader("time of a frame", ImGuiTreeNodeFlags_DefaultOpen))
-        times_.draw(70, averagedFrames);
+        times_.draw(5.5f * ImGui::GetFontSize(), averagedFrames);
     if (!ImGui::CollapsingHeader("sheets")) return;
     for (const SheetReading& sheet : snapshot.sheets)
         ImGui::Text("%s: %.3f kg dry, %.1f g water\n  %.0f %% of saturation, ledger open by %.1e kg",
@@ -105,13 +106,15 @@ bool Panel::show(const Snapshot& snapshot, PanelState& state, Simulation& simula
     if (state.helpShown) showHelp(state.helpShown);
     if (!state.shown) return restart;
 
+    // In widths of a letter, which is larger on a screen of many pixels.
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    constexpr float top = 90, margin = 10, width = 300;
-    const ImVec2 least(width, 0), most(width, std::max(100.0f, screen.y - top - margin));
+    const float letter = ImGui::GetFontSize();
+    const float top = 7 * letter, margin = 0.8f * letter, width = 23 * letter;
+    const ImVec2 least(width, 0), most(width, std::max(8 * letter, screen.y - top - margin));
     ImGui::SetNextWindowPos({margin, top}, ImGuiCond_Once);
     ImGui::SetNextWindowSizeConstraints(least, most);
     if (ImGui::Begin("drench", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-        ImGui::PushItemWidth(140);
+        ImGui::PushItemWidth(10.5f * letter);
         restart |= showSceneGroup(snapshot, state, simulation);
         showWeatherGroup(snapshot, state, simulation);
         showWaterGroup(snapshot, state, simulation);

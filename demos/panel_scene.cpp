@@ -80,7 +80,7 @@ bool showRunning(const Snapshot& snapshot, Simulation& simulation) {
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(snapshot.status.c_str());
     ImGui::PopTextWrapPos();
-    ImGui::ProgressBar(float(snapshot.progress), {-1, 4}, "");
+    ImGui::ProgressBar(float(snapshot.progress), {-1, 0.3f * ImGui::GetFontSize()}, "");
     const bool paused = simulation.paused();
     if (ImGui::Button(paused ? "go on" : "pause")) simulation.setPaused(!paused);
     ImGui::SameLine();

@@ -104,6 +104,9 @@ ParsedOptions parseOptions(int argc, char** argv) {
         ->check(CLI::IsMember({"soft-rigid", "deformable"}));
     app.add_option("--size", run.windowSize, "width and height of the window [1280 720]")
         ->check(CLI::Range(100, 16384));
+    app.add_option("--speed", run.speed,
+                   "in the window, simulated time over wall time, at most; 0: as fast as it can [1]")
+        ->check(CLI::Range(0.0, 1000.0));
     app.add_flag("--timings", run.timings,
                  "say on stderr when the window's first picture came, and how many a second");
     app.add_flag("--quit-at-end", run.quitAtEnd, "close the window when the scene has come to its end");

@@ -22,7 +22,8 @@ struct RunOptions {
     std::filesystem::path saved;   ///< scene file for the state at the end; empty: none
     std::filesystem::path frames;  ///< folder for pictures; empty: none
     std::pair<int, int> windowSize{pictureWidth, pictureHeight};  ///< in screen coordinates
-    bool quitAtEnd = false;        ///< closes the window when the scene has come to its end
+    double speed = 1;        ///< simulated time over wall time, in the window, at most; 0: as fast as it can
+    bool quitAtEnd = false;  ///< closes the window when the scene has come to its end
     std::filesystem::path record;  ///< film to make; empty: none
     bool timings = false;          ///< says when the first picture came, and how many a second
     std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();  ///< of the program

@@ -19,7 +19,7 @@ void writeScene(const RunOptions& options, Scene& scene);
 int runHeadless(Scene& scene, const RunOptions& options);
 
 /// Makes the scene that the options name and runs it in a window until that is closed.
-/// @return the exit status
+/// @return the exit status: 0, 1 after OpenGL errors, or 2 where a film or the scene has failed
 int runInWindow(const RunOptions& options);
 
 /// Makes sure that what the options ask to be written can be written.

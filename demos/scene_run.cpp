@@ -64,12 +64,8 @@ void SceneRun::advance(const Pointer& pointer) {
     const auto start = std::chrono::steady_clock::now();
     Pointer elsewhere = pointer;
     elsewhere.pressed = false;
-    hand_.act(graspables(*scene_), pointer.onTwin ? elsewhere : pointer, Scene::frameTime);
-    scene_->advance();
-    if (twin_) {
-        twinHand_.act(graspables(*twin_), pointer.onTwin ? pointer : elsewhere, Scene::frameTime);
-        twin_->advance();
-    }
+    advance(*scene_, hand_, pointer.onTwin ? elsewhere : pointer);
+    if (twin_) advance(*twin_, twinHand_, pointer.onTwin ? pointer : elsewhere);
     const FrameTimes totals = timesSoFar();
     times_ = difference(before_, totals);
     times_.all = secondsSince(start);
@@ -78,6 +74,13 @@ void SceneRun::advance(const Pointer& pointer) {
     if (ended_) return;
     log_.note(*scene_);
     if (scene_->finished()) end();
+}
+
+void SceneRun::advance(Scene& scene, Hand& hand, const Pointer& pointer) {
+    hand.act(graspables(scene), pointer, Scene::frameTime);
+    const std::vector<Stage*> stages = scene.stages();
+    if (hand.nozzle() && !stages.empty()) stages[0]->showSpray(*hand.nozzle());
+    scene.advance();
 }
 
 void SceneRun::end() {

@@ -52,6 +52,7 @@ class SceneRun {
     Snapshot snapshot() const;
 
   private:
+    static void advance(Scene& scene, Hand& hand, const Pointer& pointer);
     FrameTimes timesSoFar() const;
     viewer::Picture pictureOf(Scene& scene, const Hand& hand) const;
     void end();

@@ -62,6 +62,7 @@ WindowRun::WindowRun(const RunOptions& options)
       simulation_(requestOf(state_), options_),
       panel_(window_.rendererName()),
       pictures_(options_.started) {
+    simulation_.setSpeed(options_.speed);
     if (!options_.record.empty()) startFilm(options_.record);
 }
 
@@ -271,7 +272,7 @@ void WindowRun::write(const std::filesystem::path& file, const viewer::Image& im
 }
 
 int WindowRun::exitStatus() const {
-    if (filmLost_) return 2;
+    if (filmLost_ || (snapshot_ && !snapshot_->trouble.empty())) return 2;
     if (renderer_.glErrors() == 0) return 0;
     std::cerr << "drench-demo: OpenGL reported " << renderer_.glErrors()
               << " errors; the pictures may be wrong, and a newer graphics driver may help\n";

@@ -22,7 +22,8 @@ class WindowRun {
     /// Opens the window. @throws std::runtime_error where that cannot be
     explicit WindowRun(const RunOptions& options);
 
-    /// Goes on until the window is closed. @return the exit status: 0, or 1 after OpenGL errors
+    /// Goes on until the window is closed. @return the exit status: 0, 1 after OpenGL errors, or 2 where a film or the scene
+    /// has failed
     int loop();
 
   private:

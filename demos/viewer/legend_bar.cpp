@@ -13,6 +13,17 @@ namespace {
 
 constexpr int parts = 4;
 
+// As many decimals as write the step exactly, or, where that takes more than three, two digits of it.
+int decimalsFor(float step) {
+    float scaled = step;
+    for (int decimals = 0; decimals <= 3; ++decimals, scaled *= 10.0f) {
+        if (scaled >= 1.0f && std::abs(scaled - std::round(scaled)) < 1e-4f * scaled) {
+            return decimals;
+        }
+    }
+    return std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 0, 6);
+}
+
 ImU32 screenColour(float share) {
     const Eigen::Vector3f light = mappedColour(share).cwiseMax(0.0f).cwiseMin(1.0f);
     const auto encoded = [](float channel) {
@@ -41,8 +52,7 @@ void drawBar(ImDrawList& canvas, ImVec2 least, ImVec2 most) {
 
 std::vector<std::string> legendTicks(const Legend& legend) {
     const float step = (legend.to - legend.from) / parts;
-    // As many decimals as tell one tick from the next.
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 0, 6);
+    const int decimals = decimalsFor(step);
     std::vector<std::string> ticks;
     for (int i = 0; i <= parts; ++i) {
         char text[64];

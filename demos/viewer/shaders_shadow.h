@@ -5,11 +5,13 @@ namespace drench::viewer::shaders {
 
 // Blended by the smaller value: the share of the sun that sheets let through, and the depth of the nearest solid.
 inline constexpr char sheetShadowFragment[] = R"(
+in vec3 albedo;
 in float transmittance;
 out vec2 passing;
 
 void main() {
-    passing = vec2(transmittance, 1.0);
+    float bright = dot(passingDye(albedo, transmittance, 2.0), vec3(0.2126, 0.7152, 0.0722));
+    passing = vec2(min(bright, transmittance), 1.0);
 }
 )";
 

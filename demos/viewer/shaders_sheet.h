@@ -44,6 +44,19 @@ void main() {
 }
 )";
 
+// What passes dyed cloth.
+inline constexpr char dye[] = R"(
+// The layer of Kubelka and Munk with the absorption that its albedo tells, of a transmittance that is without any.
+// Light that is scattered, or thrown back into the cloth where it would leave it into air, takes `detour` times the way.
+vec3 passingDye(vec3 albedo, float transmittance, float detour) {
+    float scattering = detour * (1.0 / max(transmittance, 1e-3) - 1.0);
+    vec3 a = 1.0 + (1.0 - albedo) * (1.0 - albedo) / (2.0 * max(albedo, 1e-3));
+    vec3 b = sqrt(a * a - 1.0) + 1e-4;
+    vec3 grown = exp(min(b * scattering, 40.0));
+    return 2.0 * b / ((a + b) * grown + (b - a) / grown);
+}
+)";
+
 // What is seen through a sheet: the scene without sheets, blurred by the way behind the sheet.
 inline constexpr char seeThrough[] = R"(
 uniform sampler2D scene;
@@ -92,16 +105,6 @@ float fuzz(vec3 normal, vec3 towardsEye, float facingSun, float facingEye) {
     return density / (4.0 * (facingSun + facingEye - facingSun * facingEye) + 1e-3);
 }
 
-// The layer of Kubelka and Munk with the absorption that its albedo tells, of a transmittance that is without any.
-// Light that is scattered, or thrown back into the cloth where it would leave it into air, takes `detour` times the way.
-vec3 passingDye(vec3 albedo, float transmittance, float detour) {
-    float scattering = detour * (1.0 / max(transmittance, 1e-3) - 1.0);
-    vec3 a = 1.0 + (1.0 - albedo) * (1.0 - albedo) / (2.0 * max(albedo, 1e-3));
-    vec3 b = sqrt(a * a - 1.0) + 1e-4;
-    vec3 grown = exp(min(b * scattering, 40.0));
-    return 2.0 * b / ((a + b) * grown + (b - a) / grown);
-}
-
 struct Cloth {
     vec3 position;
     // With threads and creases, and of the film over them.
@@ -122,14 +125,15 @@ vec3 diffuseLight(Cloth c, vec3 sun, float towards) {
     vec3 back = sun * max(-towards, 0.0) + ambientLight(-c.normal) * c.openness;
     float clear = clearness(c.transmittance);
     vec4 behind = lightBehind(clear);
-    // What touches the cloth is seen however much light scatters on the way, but gets its light through it.
-    // Cloth that lies on a solid is drawn up to a centimetre off it.
+    // What touches the cloth is seen however much light scatters on the way. Cloth that lies on a solid is drawn up to a
+    // centimetre off it.
     float touching = 1.0 - smoothstep(0.012, 0.03, behind.w);
+    // The sky that the cloth keeps off is still on it.
+    behind.rgb *= 1.0 - 0.25 * touching;
     // Between dry threads there are gaps, which water closes to light as it does to air.
     vec3 tint = c.albedo / max(max(c.albedo.r, c.albedo.g), max(c.albedo.b, 1e-3));
     vec3 gaps = 0.35 * c.dryness * c.dryness * c.transmittance * tint;
     vec3 passing = min(passingDye(c.albedo, c.transmittance, mix(2.0, 1.1, touching)) + gaps, 1.0 - c.albedo);
-    behind.rgb *= mix(1.0, mix(c.transmittance, 1.0, 0.3), touching);
     // Another layer of cloth hides what is behind it, and shows itself.
     vec3 beyond = mix(c.albedo * back, behind.rgb, otherLayers(c.transmittance));
     return c.albedo * front + passing * mix(back, beyond, mix(clear, 1.0, touching));
@@ -143,7 +147,7 @@ vec3 clothLight(Cloth c) {
     vec3 sun = sunLight * sunVisible(c.position, c.filmNormal);
     vec3 colour = diffuseLight(c, sun, towards);
 
-    float rim = pow(1.0 - facingEye, 3.0);
+    float rim = pow(max(1.0 - facingEye, 0.0), 3.0);
     float fibres = 0.10 * c.dryness;
     vec3 haze = fibres * sqrt(c.albedo);
     colour *= 1.0 - fibres * rim;
@@ -196,7 +200,7 @@ vec3 sloped(vec3 upright, vec2 slope, vec3 rightwards, vec3 upwards, vec2 clothR
     vec3 second = cross(upright, rightwards);
     float area = dot(rightwards, first);
     vec3 gradient = sign(area) * (first * dot(slope, clothRight) + second * dot(slope, clothUp));
-    return normalize(abs(area) * upright - gradient);
+    return normalize(max(abs(area), 1e-12) * upright - gradient);
 }
 
 // An even colour map, with enough light and shade that the shape is seen.

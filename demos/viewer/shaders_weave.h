@@ -50,13 +50,13 @@ Relief plainWeave(vec2 at) {
 Relief twill(vec2 at) {
     vec2 cell = floor(at);
     vec2 inside = at - cell - 0.5;
-    float step = mod(cell.x + cell.y, 4.0);
-    if (step < 0.5) {
+    float place = mod(cell.x + cell.y, 4.0);
+    if (place < 0.5) {
         Relief weft = turned(thread(inside.y, inside.x));
         weft.shade += 0.54;
         return weft;
     }
-    Relief warp = thread((step - 2.0 + inside.x) / 3.0, inside.y);
+    Relief warp = thread((place - 2.0 + inside.x) / 3.0, inside.y);
     warp.shade -= 0.15;
     return warp;
 }
@@ -117,7 +117,7 @@ vec2 creases(vec2 at, float pixel) {
     }
     vec3 wide = noiseAndSlope(at * 9.0 + 1.9);
     vec3 narrow = noiseAndSlope(at * 22.0 + 0.35 * wide.yz + 4.1);
-    return kept * (0.08 * wide.yz + 0.07 * narrow.yz);
+    return kept * (0.10 * wide.yz + 0.07 * narrow.yz);
 }
 
 Relief clothRelief(vec2 at, float pixel, float dryness) {
@@ -154,6 +154,22 @@ float lineCover(float away, float halfWidth, float pixel) {
     return clamp((halfWidth + 0.5 * pixel - abs(away)) / pixel, 0.0, 1.0) * min(2.0 * halfWidth / pixel, 1.0);
 }
 
+// The thread of the seam draws the cloth together into small waves along it.
+float ripple(float along, float fromSeam, float width, float pixel) {
+    float wave = 1.3 * width;
+    float near = fromSeam / width;
+    float kept = 1.0 - smoothstep(0.25, 0.6, pixel / wave);
+    return 0.16 * exp(-near * near) * kept * noiseAndSlope(vec2(along / wave, 0.5)).y;
+}
+
+// The share of the pixel that stitches cover, one by one close by.
+float stitches(float along, float fromSeam, float pixel) {
+    const float length = 0.0035;
+    float single = smoothstep(0.25, 0.35, abs(fract(along / length) - 0.5));
+    float kept = 1.0 - smoothstep(0.3, 0.7, pixel / length);
+    return lineCover(fromSeam, 0.0005, pixel) * mix(0.7, single, kept);
+}
+
 Hem hemAt(vec2 at, float pixel) {
     float width = threading.z;
     vec2 fromLow = at - clothBounds.xy;
@@ -167,19 +183,12 @@ Hem hemAt(vec2 at, float pixel) {
     float along = alongWarp ? at.x : at.y;
     vec2 direction = alongWarp ? vec2(0.0, fromLow.y < fromHigh.y ? 1.0 : -1.0)
                                : vec2(fromLow.x < fromHigh.x ? 1.0 : -1.0, 0.0);
-    const float stitch = 0.0035;
-    float sewn = lineCover(inwards - 0.8 * width, 0.0005, pixel);
-    float dash = mix(0.7, smoothstep(0.25, 0.35, abs(fract(along / stitch) - 0.5)),
-                     1.0 - smoothstep(0.3, 0.7, pixel / stitch));
-    float step = lineCover(inwards - width, 0.0008, pixel);
+    float fromSeam = inwards - 0.8 * width;
+    float ledge = lineCover(inwards - width, 0.0008, pixel);
     float rim = lineCover(inwards, 0.0009, pixel);
-    // The thread draws the cloth together into small waves.
-    float ripple = 0.16 * exp(-pow((inwards - 0.8 * width) / width, 2.0)) *
-                   noiseAndSlope(vec2(along / (1.3 * width), 0.5)).y *
-                   (1.0 - smoothstep(0.25, 0.6, pixel / (1.3 * width)));
-    vec2 slope = direction * (0.5 * rim - 0.8 * step) + ripple * direction.yx;
-    float folded = clamp((width - inwards) / pixel + 0.5, 0.0, 1.0);
-    return Hem(folded, -0.20 * step - 0.30 * sewn * dash - 0.20 * rim, slope);
+    float shade = -0.14 * ledge - 0.22 * stitches(along, fromSeam, pixel) - 0.20 * rim;
+    vec2 slope = direction * (0.5 * rim - 0.4 * ledge) + ripple(along, fromSeam, width, pixel) * direction.yx;
+    return Hem(clamp((width - inwards) / pixel + 0.5, 0.0, 1.0), shade, slope);
 }
 )";
 

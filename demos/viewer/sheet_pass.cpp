@@ -12,9 +12,10 @@ namespace drench::viewer {
 SheetPass::SheetPass()
     : program_("sheet", {shaders::frame, shaders::sheetVertex},
                {shaders::frame, shaders::sheetBlock, shaders::sky, shaders::occlusion, shaders::material,
-                shaders::noise, shaders::relief, shaders::threads, shaders::cloth, shaders::hem,
+                shaders::noise, shaders::relief, shaders::threads, shaders::cloth, shaders::hem, shaders::dye,
                 shaders::seeThrough, shaders::sheetLight, shaders::sheetFragment}),
-      shadowProgram_("sheet shadow", {shaders::frame, shaders::sheetVertex}, {shaders::sheetShadowFragment}),
+      shadowProgram_("sheet shadow", {shaders::frame, shaders::sheetVertex},
+                     {shaders::dye, shaders::sheetShadowFragment}),
       layerProgram_("sheet layer", {shaders::frame, shaders::sheetVertex}, {shaders::sheetLayerFragment}) {}
 
 void SheetPass::upload(const Picture& picture, std::vector<Eigen::Vector3f>& casters) {

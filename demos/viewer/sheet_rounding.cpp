@@ -21,7 +21,7 @@ Eigen::Vector3f bent(const Corners& corners, const Weights& weights) {
     std::array<Eigen::Vector3f, 3> lifts;
     for (std::size_t i = 0; i < 3; ++i) {
         const Eigen::Vector3f& normal = corners[i]->normal;
-        lifts[i] = weights[i] * normal.dot(corners[i]->position - flat) * normal;
+        lifts[i] = weights[i] * corners[i]->roundness * normal.dot(corners[i]->position - flat) * normal;
     }
     return flat + 0.5f * (lifts[0] + lifts[1] + lifts[2]);
 }
@@ -34,6 +34,7 @@ SheetVertex vertexAt(const Corners& corners, const Weights& weights) {
     vertex.gloss = mixed(corners, weights, &SheetVertex::gloss);
     vertex.dampness = mixed(corners, weights, &SheetVertex::dampness);
     vertex.transmittance = mixed(corners, weights, &SheetVertex::transmittance);
+    vertex.roundness = mixed(corners, weights, &SheetVertex::roundness);
     vertex.value = mixed(corners, weights, &SheetVertex::value);
     vertex.hollow = mixed(corners, weights, &SheetVertex::hollow);
     vertex.clothCoordinates = mixed(corners, weights, &SheetVertex::clothCoordinates);

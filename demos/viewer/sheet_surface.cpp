@@ -85,17 +85,30 @@ std::vector<SheetVertex> bareVertices(const SheetMesh& sheet) {
     return vertices;
 }
 
+// From how well the normals round a node agree, 0 to 1. Round a fold as tight as a triangle is wide they add up to some
+// 0.8 of their length; rounded further, its two sides would pass through each other.
+float roundnessOf(float agreement) {
+    constexpr float sharp = 0.75f, smooth = 0.93f;
+    return std::clamp((agreement - sharp) / (smooth - sharp), 0.0f, 1.0f);
+}
+
 void computeNormals(const SheetMesh& sheet, std::vector<SheetVertex>& vertices) {
-    for (const auto& [a, b, c] : sheet.triangles) {
+    std::vector<float> areas(vertices.size(), 0.0f);
+    for (const auto& triangle : sheet.triangles) {
+        const auto& [a, b, c] = triangle;
         const Eigen::Vector3f origin = vertices[a].position;
         // The cross product is as long as twice the area, which weights the average.
         const Eigen::Vector3f normal = (vertices[b].position - origin).cross(vertices[c].position - origin);
-        vertices[a].normal += normal;
-        vertices[b].normal += normal;
-        vertices[c].normal += normal;
+        const float area = normal.norm();
+        for (const std::uint32_t corner : triangle) {
+            vertices[corner].normal += normal;
+            areas[corner] += area;
+        }
     }
-    for (SheetVertex& vertex : vertices) {
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        SheetVertex& vertex = vertices[i];
         const float length = vertex.normal.norm();
+        vertex.roundness = areas[i] > 0.0f ? roundnessOf(length / areas[i]) : 0.0f;
         vertex.normal = length > 0.0f ? Eigen::Vector3f(vertex.normal / length) : Eigen::Vector3f::UnitY();
     }
 }

@@ -21,6 +21,8 @@ struct SheetVertex {
     float hollow;
     // Of the quantity of the legend.
     float value;
+    // How far the surface may be rounded at the node: 1 where it is smooth, 0 in a sharp fold.
+    float roundness;
     // In the flat cloth, metres.
     Eigen::Vector2f clothCoordinates;
 };

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "viewer/fonts.h"
 #include "viewer/glfw_window.h"
 #include "viewer/imgui_session.h"
 #include "viewer/orbit.h"
@@ -96,10 +97,8 @@ void scaleInterface(GLFWwindow* window) {
     glfwGetFramebufferSize(window, &pixels, nullptr);
     const float pixelsPerUnit =
         width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1.0f;
-    ImFontConfig font;
-    font.SizePixels = 13.0f * std::max(1.0f, density);
     ImGuiIO& io = ImGui::GetIO();
-    io.Fonts->AddFontDefault(&font);
+    addReadableFont(*io.Fonts, 14.0f * std::max(1.0f, density));
     io.FontGlobalScale = 1.0f / pixelsPerUnit;
     ImGui::GetStyle().ScaleAllSizes(std::max(1.0f, density) / pixelsPerUnit);
 }

@@ -4,6 +4,7 @@
 #include "portrait.h"
 #include "viewer/offscreen_context.h"
 #include "viewer/renderer.h"
+#include "viewer/sheet_surface.h"
 #include "viewer/sheet_uniforms.h"
 
 namespace drench::demo {
@@ -53,6 +54,18 @@ TEST_F(ClothLook, WhatTouchesWetClothShowsThroughAndHardlyThroughDry) {
     const double wet = stripeContrast(capture(beforeTwoBalls(portrait)));
     EXPECT_LT(std::abs(dry - 1), 0.05);
     EXPECT_GT(wet, 1.1);
+}
+
+TEST_F(ClothLook, AnotherLayerHidesWhatIsBehindIt) {
+    Portrait portrait(fabrics::polyesterPlain());
+    portrait.absorb(1);
+    viewer::Picture picture = beforeTwoBalls(portrait);
+    const double single = stripeContrast(capture(picture));
+    picture.sheets.push_back(picture.sheets[0]);
+    for (Eigen::Vector3f& position : picture.sheets[1].positions) position.z() += 0.002f;
+    const double both = stripeContrast(capture(picture));
+    EXPECT_LT(both - 1, 0.75 * (single - 1));
+    EXPECT_GT(both, 1.01);
 }
 
 TEST_F(ClothLook, ClothWithoutTransmittanceHidesWhatIsBehind) {
@@ -157,6 +170,30 @@ TEST(SheetUniforms, OnlyRectanglesHaveAHem) {
     EXPECT_EQ(viewer::sheetUniforms(sheet, std::nullopt).threading[2], 0.0f);
     sheet.clothCoordinates.clear();
     EXPECT_EQ(viewer::sheetUniforms(sheet, std::nullopt).threading[0], 0.0f);
+}
+
+/// Two strips of triangles that meet in a line of three nodes, one turned out of the plane of the other.
+viewer::SheetMesh folded(float angle) {
+    viewer::SheetMesh sheet;
+    for (const float z : {0.0f, 1.0f, 2.0f}) {
+        sheet.positions.emplace_back(-1.0f, 0.0f, z);
+        sheet.positions.emplace_back(0.0f, 0.0f, z);
+        sheet.positions.emplace_back(std::cos(angle), std::sin(angle), z);
+    }
+    for (const std::uint32_t corner : {0u, 1u, 3u, 4u}) {
+        sheet.triangles.push_back({corner, corner + 3, corner + 1});
+        sheet.triangles.push_back({corner + 1, corner + 3, corner + 4});
+    }
+    sheet.albedo.assign(9, Eigen::Vector3f::Ones());
+    sheet.gloss.assign(9, 0.0f);
+    return sheet;
+}
+
+TEST(SheetSurface, IsRoundedWhereItIsSmoothAndNotInASharpFold) {
+    constexpr std::size_t onTheLine = 4;
+    EXPECT_EQ((*viewer::sheetSurface(folded(0)))[onTheLine].roundness, 1.0f);
+    EXPECT_EQ((*viewer::sheetSurface(folded(0.5f)))[onTheLine].roundness, 1.0f);
+    EXPECT_EQ((*viewer::sheetSurface(folded(2.5f)))[onTheLine].roundness, 0.0f);
 }
 
 TEST_F(ClothLook, ListsOfTheWrongLengthAreRefusedByName) {

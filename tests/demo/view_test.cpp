@@ -43,7 +43,8 @@ TEST(ColourMap, StaysOnTheScreen) {
 TEST(Legend, NamesItsEndsAndThreeValuesBetween) {
     using Ticks = std::vector<std::string>;
     EXPECT_EQ(viewer::legendTicks({"", 0, 200}), (Ticks{"0", "50", "100", "150", "200"}));
-    EXPECT_EQ(viewer::legendTicks({"", 0, 5}), (Ticks{"0.0", "1.2", "2.5", "3.8", "5.0"}));
+    EXPECT_EQ(viewer::legendTicks({"", 0, 5}), (Ticks{"0.00", "1.25", "2.50", "3.75", "5.00"}));
+    EXPECT_EQ(viewer::legendTicks({"", 0, 1.4621f}), (Ticks{"0.00", "0.37", "0.73", "1.10", "1.46"}));
     EXPECT_EQ(viewer::legendTicks({"", 0, 1}), (Ticks{"0.00", "0.25", "0.50", "0.75", "1.00"}));
 }
 
