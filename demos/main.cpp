@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
     try {
         checkTargets(parsed.options);
         if (parsed.options.headless) {
-            const auto scene = makeScene(parsed.options.scene, parsed.options.sceneOptions);
+            const auto scene = makeScene(parsed.options);
             return runHeadless(*scene, parsed.options);
         }
         if (!drench::viewer::Window::displayAvailable()) {

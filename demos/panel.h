@@ -3,19 +3,40 @@
 
 #include <string>
 
-#include "scene.h"
+#include "panel_state.h"
+#include "simulation.h"
+#include "snapshot.h"
+#include "stacked_plot.h"
 
 namespace drench::demo {
 
-/// What the user asked for in the panel during one frame.
-struct PanelWishes {
-    bool togglePause = false;
-    bool step = false;
-    bool restart = false;  ///< with the fabric as it stands in the options now
+/// Shows what a simulation does and lets the user change it, within ImGui frames.
+class Panel {
+  public:
+    /// @param renderer  what OpenGL draws with, as the driver names it
+    explicit Panel(const std::string& renderer);
+
+    /// Shows the panel, if the state wants it, and what must be seen in any case. Changes that do not need a new scene are
+    /// posted to the simulation at once.
+    /// @return whether the scene is to begin anew, as the state says
+    bool show(const Snapshot& snapshot, PanelState& state, Simulation& simulation);
+    /// Notes how long the last picture took to draw, s.
+    void noteDrawTime(double seconds) { drawTime_ = seconds; }
+
+  private:
+    void note(const Snapshot& snapshot);
+    void showReadings(const Snapshot& snapshot, const std::string& notice) const;
+
+    std::string renderer_;
+    double drawTime_ = 0;  // s
+    int run_ = 0;          // that the plots are of
+    int frame_ = -1;       // newest of the plots
+    double sampled_ = 0;   // s of the run, when the newest sample of the water was taken
+    StackedPlot water_;
+    StackedPlot times_;
 };
 
-/// Shows the panel within an ImGui frame.
-/// @param options  the scene's; the fabric may be changed
-PanelWishes showPanel(Scene& scene, SceneOptions& options, bool paused);
+/// Chooses the scene so many places further on the list, round its ends.
+void chooseNeighbour(PanelState& state, int step);
 
 }  // namespace drench::demo

@@ -4,6 +4,7 @@
 #include <unistd.h>
 #endif
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <iomanip>
@@ -11,7 +12,12 @@
 #include <memory>
 #include <sstream>
 
+#include "film.h"
+#include "frame_name.h"
+#include "picture_size.h"
 #include "runners.h"
+#include "scene_file.h"
+#include "stage.h"
 #include "viewer/image.h"
 #include "viewer/offscreen_context.h"
 #include "viewer/renderer.h"
@@ -20,8 +26,6 @@ namespace drench::demo {
 
 namespace {
 
-constexpr int pictureWidth = 1280;
-constexpr int pictureHeight = 720;
 constexpr int sideWidth = 480, sideHeight = 600;  // of pictures side by side
 
 /// Draws and keeps the pictures of a run.
@@ -32,6 +36,7 @@ class Album {
     /// Draws a picture and writes it under `name`.
     /// @return the time that drawing took, s
     double add(const viewer::Picture& picture, const std::string& name) {
+        context_.makeCurrent();  // a film has another
         if (images_.empty())
             renderer_.capture(picture, pictureWidth, pictureHeight);  // the first one compiles shaders
         const auto before = std::chrono::steady_clock::now();
@@ -43,6 +48,7 @@ class Album {
     }
 
     void addSideBySide(const Scene& scene) {
+        context_.makeCurrent();
         std::vector<viewer::Image> row;
         for (const viewer::Picture& picture : scene.sideBySide())
             row.push_back(renderer_.capture(picture, sideWidth, sideHeight));
@@ -94,12 +100,6 @@ class ProgressLine {
     int shown_ = -1;
 };
 
-std::string frameName(int frame) {
-    std::ostringstream name;
-    name << "frame-" << std::setw(6) << std::setfill('0') << frame;
-    return name.str();
-}
-
 /// out.csv becomes out-water.csv.
 std::filesystem::path besideFor(const std::filesystem::path& csv) {
     std::filesystem::path beside = csv;
@@ -109,9 +109,46 @@ std::filesystem::path besideFor(const std::filesystem::path& csv) {
 
 }  // namespace
 
+std::unique_ptr<Scene> makeScene(const RunOptions& options) {
+    if (options.described) return makeScene(*options.described, options.sceneOptions);
+    return makeScene(options.scene, options.sceneOptions);
+}
+
+namespace {
+
+/// @throws std::runtime_error for a scene that a scene file cannot hold
+SceneDescription describedNow(const RunOptions& options, Scene& scene) {
+    const std::vector<Stage*> stages = scene.stages();
+    if (stages.size() != 1)
+        throw std::runtime_error("the scene '" + options.scene + "' is played in " +
+                                 std::to_string(stages.size()) + " worlds, and a scene file holds one");
+    return stages.front()->describe();
+}
+
+/// Says whether the scene's check has passed. @return the exit status
+int judge(const Scene& scene, const RunOptions& options) {
+    if (!options.sceneOptions.water) {
+        std::cout << "\nnot checked: a dry run has no result of its own\n";
+        return 0;
+    }
+    const auto failures = scene.failures();
+    for (const std::string& failure : failures) std::cerr << "check failed: " << failure << '\n';
+    std::cout << (failures.empty() ? "\ncheck passed\n" : "\ncheck failed\n");
+    return failures.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void writeScene(const RunOptions& options, Scene& scene) {
+    if (!options.saved.empty()) saveScene(options.saved, describedNow(options, scene));
+}
+
 int runHeadless(Scene& scene, const RunOptions& options) {
+    if (!options.saved.empty()) describedNow(options, scene);  // before the work, not after it
     std::unique_ptr<Album> album;
     if (!options.frames.empty()) album = std::make_unique<Album>(options.frames);
+    std::unique_ptr<Film> film;
+    if (!options.record.empty()) film = std::make_unique<Film>(options.record, std::max(1, options.every));
 
     ProgressLine progress;
     WaterLog log(scene);
@@ -119,6 +156,7 @@ int runHeadless(Scene& scene, const RunOptions& options) {
         scene.advance();
         log.note(scene);
         progress.show(scene);
+        if (film) film->add(scene.picture());
         if (!album) continue;
         if (const auto moment = scene.moment())
             scene.noteDrawTime(album->add(scene.picture(), *moment));
@@ -130,13 +168,13 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     scene.report(std::cout);
     writeResult(options, scene, log);
     writeDrawings(options, scene);
+    writeScene(options, scene);
     if (album) album->addSideBySide(scene);
     if (album) album->writeContactSheet();
 
-    const auto failures = scene.failures();
-    for (const std::string& failure : failures) std::cerr << "check failed: " << failure << '\n';
-    std::cout << (failures.empty() ? "\ncheck passed\n" : "\ncheck failed\n");
-    return failures.empty() ? 0 : 1;
+    const int status = judge(scene, options);
+    if (film && !film->finish()) return 2;
+    return status;
 }
 
 void checkTargets(const RunOptions& options) {
@@ -144,7 +182,9 @@ void checkTargets(const RunOptions& options) {
         checkWritable(options.csv);
         checkWritable(besideFor(options.csv));
     }
+    if (!options.saved.empty()) checkWritable(options.saved);
     if (!options.frames.empty()) checkWritable(options.frames / "picture.png");
+    if (!options.record.empty()) Recorder::check(options.record);
 }
 
 void writeDrawings(const RunOptions& options, const Scene& scene) {

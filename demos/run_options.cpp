@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "scene_file.h"
+
 namespace drench::demo {
 
 namespace {
@@ -30,14 +32,34 @@ CLI::Validator secondsInRange() {
         "FLOAT in [0.02 - 86400]");
 }
 
-/// What the names of --solver and --world mean together.
+/// What the names of --solver and --world mean together; where there are none, the options stay as they are.
 void choose(SceneOptions& options, const std::string& solver, const std::string& world) {
-    options.world = world == "deformable" ? WorldKind::deformable : WorldKind::softRigid;
-    options.solver = solver == "stock" ? SolverKind::stock : SolverKind::smallStep;
+    if (!world.empty()) options.world = world == "deformable" ? WorldKind::deformable : WorldKind::softRigid;
+    if (!solver.empty()) options.solver = solver == "stock" ? SolverKind::stock : SolverKind::smallStep;
     if (options.world == WorldKind::deformable && solver == "small-step")
         throw CLI::ValidationError("--solver",
                                    "the deformable world has Bullet's own solver; leave --solver small-step "
                                    "out, or take --world soft-rigid");
+}
+
+/// Which of the options that a scene has of its own were given.
+struct Given {
+    bool fabric, seed;
+};
+
+/// Fills in what the scene has of its own, where nothing else was asked for.
+void takeFromScene(RunOptions& run, const std::string& file, const Given& given) {
+    SceneOptions& options = run.sceneOptions;
+    if (file.empty()) {
+        if (!run.scene.empty() && !given.fabric) options.fabric = sceneByName(run.scene).fabric;
+        return;
+    }
+    run.described = loadScene(file);
+    run.scene = run.described->name;
+    options.world = run.described->solver.world;
+    options.solver = run.described->solver.solver;
+    if (!given.fabric) options.fabric.clear();
+    if (!given.seed) options.seed = run.described->seed;
 }
 
 }  // namespace
@@ -45,13 +67,16 @@ void choose(SceneOptions& options, const std::string& solver, const std::string&
 ParsedOptions parseOptions(int argc, char** argv) {
     ParsedOptions parsed;
     RunOptions& run = parsed.options;
-    bool list = false;
-    std::string solver, world;
+    bool list = false, dry = false;
+    std::string solver, world, file;
 
     CLI::App app{"Wet cloth on Bullet soft bodies. Opens a window unless --headless is given.",
                  "drench-demo"};
-    app.add_option("SCENE", run.scene, "which scene to run; --list names them")
-        ->check(CLI::IsMember(sceneNames()));
+    CLI::Option* const scene = app.add_option("SCENE", run.scene, "which scene to run; --list names them")
+                                   ->check(CLI::IsMember(sceneNames()));
+    app.add_option("--scene-file", file, "run the scene of this JSON file; see docs/scene-files.md")
+        ->excludes(scene);
+    app.add_option("--save-scene", run.saved, "write the scene as it is at the end to this scene file");
     app.add_flag("--list", list, "list the scenes and stop");
     app.add_flag("--headless", run.headless, "run without a window; exits with 1 if the scene's check fails");
     app.add_option("--seconds", run.sceneOptions.seconds,
@@ -59,14 +84,16 @@ ParsedOptions parseOptions(int argc, char** argv) {
         ->check(secondsInRange());
     app.add_option("--resolution", run.sceneOptions.resolution, "nodes along the warp [the scene's own]")
         ->check(CLI::Range(8, 512));
-    const CLI::Option* fabric =
-        app.add_option("--fabric", run.sceneOptions.fabric, "the cloth [cotton; slide: polyester]")
-            ->check(CLI::IsMember(fabrics::names()));
+    const CLI::Option* fabric = app.add_option("--fabric", run.sceneOptions.fabric,
+                                               "the cloth [cotton; slide: polyester; as in a scene file]")
+                                    ->check(CLI::IsMember(fabrics::names()));
     app.add_option(
         "--csv", run.csv,
         "write the water of each frame to this file; ten-steps: its result, and the water beside it");
     app.add_option("--frames", run.frames, "write pictures (PNG) into this folder");
-    app.add_option("--every", run.every, "a picture each so many frames of 1/60 s [the scene's own moments]")
+    app.add_option("--record", run.record, "make a film of the run, such as out.mp4, with ffmpeg");
+    app.add_option("--every", run.every,
+                   "a picture each so many frames of 1/60 s [the scene's own moments; of a film each frame]")
         ->check(CLI::Range(1, 1000000));
     app.add_option("--solver", solver,
                    "what moves the sheets: Drench's small steps, or stock Bullet's solver in many substeps "
@@ -75,13 +102,23 @@ ParsedOptions parseOptions(int argc, char** argv) {
     app.add_option("--world", world,
                    "Bullet's soft-rigid world, or its deformable one, with Bullet's own solver [soft-rigid]")
         ->check(CLI::IsMember({"soft-rigid", "deformable"}));
-    app.add_option("--seed", run.sceneOptions.seed, "seed of the random numbers [1]");
+    app.add_option("--size", run.windowSize, "width and height of the window [1280 720]")
+        ->check(CLI::Range(100, 16384));
+    app.add_option("--speed", run.speed,
+                   "in the window, simulated time over wall time, at most; 0: as fast as it can [1]")
+        ->check(CLI::Range(0.0, 1000.0));
+    app.add_flag("--timings", run.timings,
+                 "say on stderr when the window's first picture came, and how many a second");
+    app.add_flag("--quit-at-end", run.quitAtEnd, "close the window when the scene has come to its end");
+    const CLI::Option* seed = app.add_option("--seed", run.sceneOptions.seed,
+                                             "seed of the random numbers [1; that of a scene file]");
+    app.add_flag("--dry", dry, "the same scene with nothing that brings water, and without its check");
 
     try {
         app.parse(argc, argv);
+        takeFromScene(run, file, {fabric->count() > 0, seed->count() > 0});
         choose(run.sceneOptions, solver, world);
-        if (!run.scene.empty() && fabric->count() == 0)
-            run.sceneOptions.fabric = sceneByName(run.scene).fabric;
+        run.sceneOptions.water = !dry;
         if (list) {
             listScenes();
             parsed.exitStatus = 0;
@@ -90,6 +127,9 @@ ParsedOptions parseOptions(int argc, char** argv) {
         }
     } catch (const CLI::ParseError& problem) {
         parsed.exitStatus = app.exit(problem, std::cout, std::cerr) == 0 ? 0 : 2;
+    } catch (const std::runtime_error& problem) {
+        std::cerr << "drench-demo: " << problem.what() << '\n';
+        parsed.exitStatus = 2;
     }
     return parsed;
 }

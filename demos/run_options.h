@@ -1,22 +1,33 @@
 // The command line of drench-demo.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "picture_size.h"
 #include "scene.h"
 
 namespace drench::demo {
 
 /// How to run which scene.
 struct RunOptions {
-    std::string scene;
+    std::string scene;                          ///< a name on the list, or that of the scene file
+    std::optional<SceneDescription> described;  ///< what the scene file says; none: a scene on the list
     SceneOptions sceneOptions;
     bool headless = false;
     std::filesystem::path csv;     ///< empty: no file
+    std::filesystem::path saved;   ///< scene file for the state at the end; empty: none
     std::filesystem::path frames;  ///< folder for pictures; empty: none
-    int every = 0;                 ///< a picture each so many frames; 0: at the scene's own moments
+    std::pair<int, int> windowSize{pictureWidth, pictureHeight};  ///< in screen coordinates
+    double speed = 1;        ///< simulated time over wall time, in the window, at most; 0: as fast as it can
+    bool quitAtEnd = false;  ///< closes the window when the scene has come to its end
+    std::filesystem::path record;  ///< film to make; empty: none
+    bool timings = false;          ///< says when the first picture came, and how many a second
+    std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();  ///< of the program
+    int every = 0;  ///< a picture each so many frames; 0: at the scene's own moments
 };
 
 /// What the command line asks for, or the exit status at once: 0 after --help or --list, 2 for arguments that

@@ -6,12 +6,20 @@
 
 namespace drench::demo {
 
+/// Makes the scene that the options name or describe.
+/// @throws std::invalid_argument as the functions of that name in scene.h
+std::unique_ptr<Scene> makeScene(const RunOptions& options);
+
+/// Writes the scene file that the options ask for: the scene as it is now.
+/// @throws std::runtime_error for a scene that a scene file cannot hold
+void writeScene(const RunOptions& options, Scene& scene);
+
 /// Runs a scene to its end without a window: progress on stderr, the result on stdout and in files.
-/// @return the exit status: 0, or 1 if the scene's check fails
+/// @return the exit status: 0, 1 if the scene's check fails, or 2 if its film is not whole
 int runHeadless(Scene& scene, const RunOptions& options);
 
 /// Makes the scene that the options name and runs it in a window until that is closed.
-/// @return the exit status
+/// @return the exit status: 0, 1 after OpenGL errors, or 2 where a film or the scene has failed
 int runInWindow(const RunOptions& options);
 
 /// Makes sure that what the options ask to be written can be written.

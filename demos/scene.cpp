@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "described_scene.h"
 #include "scenes/cling.h"
 #include "scenes/clothesline.h"
 #include "scenes/drape.h"
@@ -25,6 +26,13 @@ std::unique_ptr<Scene> make(const SceneOptions& options) {
 }
 
 }  // namespace
+
+std::vector<SceneSheet> Scene::sheets() {
+    std::vector<SceneSheet> list;
+    for (Stage* stage : stages())
+        for (SceneCloth* sheet : stage->sheets()) list.push_back({sheet->name(), &sheet->wet()});
+    return list;
+}
 
 const std::vector<SceneEntry>& scenes() {
     static const std::vector<SceneEntry> all = {
@@ -73,6 +81,10 @@ std::unique_ptr<Scene> makeScene(const std::string& name, const SceneOptions& op
         if (each.runsDeformable) able += (able.empty() ? "" : ", ") + each.name;
     throw std::invalid_argument("scene '" + name +
                                 "' does not run in the deformable world; these do: " + able);
+}
+
+std::unique_ptr<Scene> makeScene(const SceneDescription& description, const SceneOptions& options) {
+    return std::make_unique<DescribedScene>(description, options);
 }
 
 }  // namespace drench::demo

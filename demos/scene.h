@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scene_description.h"
 #include "scene_world.h"
 #include "table.h"
 #include "viewer/image.h"
@@ -18,13 +19,17 @@ namespace drench::demo {
 
 /// What the command line says about a scene.
 struct SceneOptions {
-    std::string fabric = "cotton";  ///< a name of fabrics::names()
-    int resolution = 0;             ///< nodes along the warp; 0: the scene's own
+    std::string fabric = "cotton";  ///< a name of fabrics::names(); empty: the scene's own
+    int resolution = 0;             ///< nodes along the warp of each sheet; 0: the scene's own
     double seconds = 0;             ///< simulated time after which it ends; 0: the scene's own
     unsigned seed = 1;              ///< of whatever the scene draws by lot
     WorldKind world = WorldKind::softRigid;
     SolverKind solver = SolverKind::smallStep;  ///< in the soft-rigid world
+    std::optional<int> smallSteps;  ///< of a frame, 0: as many as the cloth needs; none: the scene's own
+    bool water = true;  ///< false: the same scene with nothing that brings water, sealed from vapour
 };
+
+class Stage;
 
 /// A sheet of a scene, for the panel.
 struct SceneSheet {
@@ -67,10 +72,10 @@ class Scene {
     /// Tells the scene how long a picture took to draw, s.
     virtual void noteDrawTime(double) {}
 
+    /// The stages that it is played on now, by which everything on them can be reached and changed between frames.
+    virtual std::vector<Stage*> stages() = 0;
     /// The sheets there are now.
-    virtual std::vector<SceneSheet> sheets() = 0;
-    /// Wind speed where the scene lets it blow, m/s; may be changed at any time.
-    virtual double& windSpeed() = 0;
+    std::vector<SceneSheet> sheets();
 
     /// Columns of its own that the water log of each frame gets, and their values now.
     virtual std::vector<Column> columns() const { return {}; }
@@ -101,5 +106,9 @@ const SceneEntry& sceneByName(const std::string& name);
 /// Makes the scene of that name.
 /// @throws std::invalid_argument as `sceneByName`, and for a scene that does not run in the world of the options
 std::unique_ptr<Scene> makeScene(const std::string& name, const SceneOptions& options);
+
+/// Makes a scene that has nothing but its description, as those of scene files are.
+/// @throws std::invalid_argument for what cannot be built, naming it
+std::unique_ptr<Scene> makeScene(const SceneDescription& description, const SceneOptions& options);
 
 }  // namespace drench::demo

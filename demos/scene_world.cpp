@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 
 #include "bullet_world.h"
@@ -11,9 +12,9 @@
 
 namespace drench::demo {
 
-void SceneWorld::addGround(double height) {
+btRigidBody& SceneWorld::addGround(double height) {
     constexpr double thickness = 2;
-    addBox({0, btScalar(height - thickness / 2), 0}, {50, btScalar(thickness / 2), 50});
+    return addBox({0, btScalar(height - thickness / 2), 0}, {50, btScalar(thickness / 2), 50});
 }
 
 btRigidBody& SceneWorld::addBall(const btVector3& centre, double radius, double mass) {
@@ -22,8 +23,14 @@ btRigidBody& SceneWorld::addBall(const btVector3& centre, double radius, double 
 }
 
 btRigidBody& SceneWorld::addBox(const btVector3& centre, const btVector3& halfExtents,
-                                const btQuaternion& turn) {
-    return add(std::make_unique<btBoxShape>(halfExtents), btTransform(turn, centre), 0);
+                                const btQuaternion& turn, double mass) {
+    return add(std::make_unique<btBoxShape>(halfExtents), btTransform(turn, centre), mass);
+}
+
+btRigidBody& SceneWorld::addCapsule(const btVector3& centre, double radius, double length,
+                                    const btQuaternion& turn, double mass) {
+    return add(std::make_unique<btCapsuleShape>(btScalar(radius), btScalar(length)),
+               btTransform(turn, centre), mass);
 }
 
 btRigidBody& SceneWorld::add(std::unique_ptr<btCollisionShape> shape, const btTransform& place, double mass) {

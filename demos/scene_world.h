@@ -42,14 +42,19 @@ class SceneWorld {
     virtual std::string stepsName() const = 0;
 
     /// Level ground at a height: the top of a box, since soft bodies float above a plane shape.
-    void addGround(double height);
+    btRigidBody& addGround(double height);
 
     /// A ball; it stays where it is if its mass is 0.
     btRigidBody& addBall(const btVector3& centre, double radius, double mass);
 
-    /// A box that stays where it is, along the axes of the world or turned.
+    /// A box, along the axes of the world or turned; it stays where it is if its mass is 0.
     btRigidBody& addBox(const btVector3& centre, const btVector3& halfExtents,
-                        const btQuaternion& turn = btQuaternion::getIdentity());
+                        const btQuaternion& turn = btQuaternion::getIdentity(), double mass = 0);
+
+    /// A rod with round ends along its own y axis; it stays where it is if its mass is 0.
+    /// @param length  between the centres of its ends, m
+    btRigidBody& addCapsule(const btVector3& centre, double radius, double length, const btQuaternion& turn,
+                            double mass = 0);
 
     /// Steps the world by `frameTime`, in substeps of equal length.
     void step(double frameTime, int substeps);

@@ -61,6 +61,18 @@ void print(std::ostream& out, const Table& table) {
         line([&](std::size_t c) { return cell(row[c], table.columns[c].digits); });
 }
 
+void writeWhole(const std::filesystem::path& path, const std::string& contents) {
+    checkWritable(path);
+    std::ofstream file(unfinished(path), std::ios::binary);
+    file << contents;
+    file.close();
+    std::error_code problem;
+    if (file) std::filesystem::rename(unfinished(path), path, problem);
+    if (file && !problem) return;
+    std::filesystem::remove(unfinished(path), problem);
+    throw std::runtime_error("cannot write all of " + path.string() + "; is the disk full?");
+}
+
 void writeCsv(const std::filesystem::path& path, const Table& table) {
     std::ostringstream text;
     for (std::size_t c = 0; c < table.columns.size(); ++c)
@@ -73,16 +85,7 @@ void writeCsv(const std::filesystem::path& path, const Table& table) {
         }
         text << '\n';
     }
-
-    checkWritable(path);
-    std::ofstream file(unfinished(path), std::ios::binary);
-    file << text.str();
-    file.close();
-    std::error_code problem;
-    if (file) std::filesystem::rename(unfinished(path), path, problem);
-    if (file && !problem) return;
-    std::filesystem::remove(unfinished(path), problem);
-    throw std::runtime_error("cannot write all of " + path.string() + "; is the disk full?");
+    writeWhole(path, text.str());
 }
 
 }  // namespace drench::demo

@@ -28,9 +28,12 @@ void print(std::ostream& out, const Table& table);
 /// @throws std::runtime_error that names the path and says what is in the way
 void checkWritable(const std::filesystem::path& path);
 
-/// Writes a CSV file with a header line and full digits; what was not measured is empty. The file appears
-/// under its name only once it is whole.
+/// Writes a file, which appears under its name only once it is whole.
 /// @throws std::runtime_error as `checkWritable`, and when the disk is full
+void writeWhole(const std::filesystem::path& path, const std::string& contents);
+
+/// Writes a CSV file with a header line and full digits; what was not measured is empty. Otherwise as
+/// `writeWhole`.
 void writeCsv(const std::filesystem::path& path, const Table& table);
 
 }  // namespace drench::demo

@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "nozzle.h"
 #include "sheet_cells.h"
 #include "viewer/picture.h"
 #include "wet_places.h"
@@ -25,18 +26,8 @@ struct WaterEffectsLimits {
     std::size_t places = 2000;   ///< that are wet, at least 1
 };
 
-/// What sprays water.
-struct Nozzle {
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< m
-    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< any length above 0
-    double halfAngle = 0.2;                                ///< rad, of the cone; 0 to pi/2
-    double speed = 6;                                      ///< of the drops, m/s; above 0
-    double rate = 0.02;                                    ///< kg/s, at least 0
-};
-
-/// What water does besides wetting sheets: it falls, splashes, drifts as mist, and wets rigid bodies, where
-/// it dries again. Only for the eye: it reads the world and changes nothing in it. The same calls show the
-/// same picture.
+/// What water does besides wetting sheets: it falls, splashes, drifts as mist, and wets rigid bodies, where it dries
+/// again. Only for the eye: it reads the world and changes nothing in it. The same calls show the same picture.
 class WaterEffects {
   public:
     /// @param world  must outlive this; its rigid bodies stop water and get wet, its soft bodies only stop it

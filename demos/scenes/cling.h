@@ -6,33 +6,32 @@
 #include <string>
 #include <vector>
 
-#include "../timed_scene.h"
+#include "../staged_scene.h"
 
 namespace drench::demo {
 
 /// Two sheets of the same cloth, 0.3 m square, lie on smooth balls of 0.3 m radius that turn about level axles: the
 /// left sheet is dry, the right one saturated.
-class Cling final : public TimedScene {
+class Cling final : public StagedScene {
   public:
     explicit Cling(const SceneOptions& options);
     ~Cling() override;
 
-    void advance() override;
-    std::string status() const override;
-    viewer::Picture picture() const override;
-    std::optional<std::string> moment() const override;
-    std::vector<SceneSheet> sheets() override;
     std::vector<Column> columns() const override;
     std::vector<double> row() const override;
-    void report(std::ostream& out) const override;
-    std::vector<std::string> failures() const override;
 
   private:
     class Side;
 
+    double turnRateNow() const;
+    void direct() override;
+    void measure() override;
+    void adorn(viewer::Picture& picture) const override;
+    std::string remarks() const override;
+    void check(std::vector<std::string>& list) const override;
+
     std::array<std::unique_ptr<Side>, 2> sides_;  // dry and wet
     double turned_ = 0;                           // rad, of the balls
-    Table table_;                                 // each second, for the report
 };
 
 }  // namespace drench::demo

@@ -1,38 +1,29 @@
 // Laundry on a line: it drips, and then dries in the wind.
 #pragma once
 
-#include <drench/falling_drops.h>
-
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "../timed_scene.h"
-#include "../water_effects.h"
+#include "../staged_scene.h"
 
 namespace drench::demo {
 
 /// A soaked sheet, 1.0 m x 0.8 m, is pegged to a line in air of 25 degrees and 50 % humidity. The wind turns to and
 /// fro, so that the sheet moves, but its speed stays the same. The water runs 240 times as fast as the clock: an hour
 /// takes 15 seconds. Ends when every node is in balance with the air, or after 90 seconds.
-class Clothesline final : public TimedScene {
+class Clothesline final : public StagedScene {
   public:
     explicit Clothesline(const SceneOptions& options);
-    ~Clothesline() override;
 
-    void advance() override;
-    bool finished() const override { return dry_ || time_ > duration_ - frameTime / 2; }
+    bool finished() const override { return dry_ || StagedScene::finished(); }
     double progress() const override;
     std::string status() const override;
-    viewer::Picture picture() const override;
     std::optional<std::string> moment() const override { return momentNow_; }
-    std::vector<SceneSheet> sheets() override { return {{"laundry", cloth_.get()}}; }
     std::vector<Column> columns() const override { return {{"mass_kg", 5}, {"content", 4}}; }
-    std::vector<double> row() const override { return {mass(), content()}; }
+    std::vector<double> row() const override { return {cloth().mass(), content()}; }
     void report(std::ostream& out) const override;
-    std::vector<std::string> failures() const override;
 
   private:
     /// What there was after a frame.
@@ -52,34 +43,29 @@ class Clothesline final : public TimedScene {
         double expected;
         double from, to;  // mean content, kg/kg
     };
+    void direct() override;
+    void measure() override;
+    void adorn(viewer::Picture& picture) const override;
+    void check(std::vector<std::string>& list) const override;
 
     void hang();
     double rippleDepth(double column) const;
-    void adjustSubsteps();
-    void fallDrops();
+    void noteDrops();
     void note();
     void noteMoment();
-    double mass() const { return cloth_->dryMass() + cloth_->waterMass(); }
-    double content() const { return cloth_->waterMass() / cloth_->dryMass(); }
+    double content() const { return cloth().wet().waterMass() / cloth().wet().dryMass(); }
+    double area() const;
     double waterMinutes(double time) const;
     bool inBalance() const;
     double shareOfDryNodes() const;
     double contentOf(const Sample& sample) const;
     std::optional<ConstantRate> constantRate() const;
-    void showLine(viewer::Picture& picture) const;
+    void showPegs(viewer::Picture& picture) const;
     void checkDrops(std::vector<std::string>& list) const;
     void checkDrying(std::vector<std::string>& list) const;
 
-    bool isCotton_;
-    bool wholeLength_;  // nobody asked for it to end early
-    int nodesWarp_;
-    int nodesWeft_;
-    double area_;     // m2
-    double balance_;  // content in balance with the air, kg/kg
-    std::unique_ptr<btSoftBody> sheet_;
-    std::unique_ptr<WetCloth> cloth_;
-    std::unique_ptr<FallingDrops> drops_;
-    std::unique_ptr<WaterEffects> effects_;
+    bool wholeLength_;       // nobody asked for it to end early
+    double balance_;         // content in balance with the air, kg/kg
     std::vector<int> pegs_;  // columns in which they sit
     int mostSteps_ = 0;
     bool dry_ = false;

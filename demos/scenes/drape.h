@@ -1,39 +1,30 @@
 // A wet and a dry sheet fall on a ball each.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "../timed_scene.h"
+#include "../staged_scene.h"
 
 namespace drench::demo {
 
 /// Two sheets of the same cloth, 1.2 m square, fall from just above two balls of 0.3 m radius. The left one
 /// is dry, the right one saturated.
-class Drape final : public TimedScene {
+class Drape final : public StagedScene {
   public:
     explicit Drape(const SceneOptions& options);
-    ~Drape() override;
 
-    void advance() override;
-    std::string status() const override;
-    viewer::Picture picture() const override;
-    std::optional<std::string> moment() const override;
-    std::vector<SceneSheet> sheets() override;
+    std::string status() const override { return timeText(2); }
     std::vector<Column> columns() const override;
     std::vector<double> row() const override;
-    void report(std::ostream& out) const override;
-    std::vector<std::string> failures() const override;
 
   private:
-    struct Side;
+    double penetration(std::size_t side) const;
+    double spread(std::size_t side) const;
+    void adorn(viewer::Picture& picture) const override;
+    void check(std::vector<std::string>& list) const override;
 
-    double stepBound() const;
-    void addSide(const std::string& name, double x, double shareOfSaturation, int nodes);
-
-    std::vector<std::unique_ptr<Side>> sides_;
-    Table table_;  // each tenth of a second, for the report
+    std::vector<SolidDescription> balls_;  // of the dry and the wet sheet
 };
 
 }  // namespace drench::demo

@@ -3,28 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <ostream>
 #include <random>
 #include <sstream>
 
 #include "../angles.h"
 #include "../cloth_disc.h"
-#include "../pictures.h"
+#include "scene_texts.h"
 
 namespace drench::demo {
 
 namespace {
 
-constexpr double discRadius = 0.15;      // m
-constexpr double pedestalRadius = 0.09;  // m
-constexpr double pedestalHeight = 0.12;  // m
-constexpr double aside = 0.18;           // m, of each pedestal's axis from the middle
-constexpr double roughness = 5e-5;       // m, of the cloth as it lies; without it nothing would fold
-constexpr double fallDamping = 2;        // 1/s, for the air
-constexpr double slowest = 5e-4;         // m/s, mean speed below which a disc is at rest
-constexpr double shortest = 1;           // s
-constexpr int stillFrames = 15;          // in a row
-constexpr int mostSubsteps = 40;
+constexpr double discRadius = 0.15;       // m
+constexpr double pedestalRadius = 0.09;   // m
+constexpr double pedestalHeight = 0.12;   // m
+constexpr double axes[] = {-0.18, 0.18};  // m, x of the pedestals'
+constexpr double roughness = 5e-5;        // m, of the cloth as it lies; without it nothing would fold
+constexpr double fallDamping = 2;         // 1/s, for the air
+constexpr double slowest = 5e-4;          // m/s, mean speed below which a disc is at rest
+constexpr double shortest = 1;            // s
+constexpr int stillFrames = 15;           // in a row
 
 // How silhouettes are looked at.
 constexpr int pixels = 1024;
@@ -43,10 +41,10 @@ int nodesAcross(const SceneOptions& options) {
 
 /// With the solver's own choice links this short act as soft as m / h^2, softer than the cloth shears. With four
 /// to a node across the disc, twice as many change the drape by less than a point.
-SmallSteps smallSteps(const SceneOptions& options) {
-    SmallSteps chosen;
-    chosen.count = std::min(999, 4 * nodesAcross(options));
-    return chosen;
+SceneDescription described(const SceneOptions& options) {
+    SceneDescription scene = fitted(sceneFile("drape-meter"), options);
+    if (!options.smallSteps) scene.solver.smallSteps = std::min(999, 4 * nodesAcross(options));
+    return scene;
 }
 
 /// The upright side of a cylinder.
@@ -78,69 +76,40 @@ void showPedestal(viewer::Picture& picture, float x) {
     picture.rods.push_back({{x, 0, 0}, {x, top - thickness - foot, 0}, foot, metal, viewer::Material::metal});
 }
 
-}  // namespace
-
-/// One disc on its pedestal.
-struct DrapeMeter::Disc {
-    std::string name;
-    SceneWorld& world;
-    double x;  // m, of the pedestal's axis
-    std::unique_ptr<btSoftBody> sheet;
-    std::unique_ptr<WetCloth> cloth;
-
-    ~Disc() {
-        cloth.reset();
-        world.removeSoftBody(*sheet);
-    }
-
-    /// Root mean square of the nodes' speeds, m/s.
-    double speed() const {
-        double sum = 0;
-        for (int n = 0; n < sheet->m_nodes.size(); ++n) sum += double(sheet->m_nodes[n].m_v.length2());
-        return std::sqrt(sum / sheet->m_nodes.size());
-    }
-
-    Silhouette silhouette() const { return Silhouette(*sheet, {x, 0}, reach, pixels); }
-
-    Drape drape() const {
-        const Silhouette shadow = silhouette();
-        const std::vector<double> radii = shadow.radii(directions);
-        Drape drape;
-        drape.coefficient =
-            100 * (shadow.area() - pi * pedestalRadius * pedestalRadius) / ringArea(discRadius);
-        drape.nodes = countLobes(radii, prominence);
-        drape.dominantOrder = drench::demo::dominantOrder(radii, highestOrder);
-        drape.nearest = *std::min_element(radii.begin(), radii.end());
-        drape.farthest = *std::max_element(radii.begin(), radii.end());
-        return drape;
-    }
-};
-
-DrapeMeter::DrapeMeter(const SceneOptions& options)
-    : TimedScene(options, 20, smallSteps(options)), isTropical_(options.fabric == "tropical") {
-    addDisc("dry", -aside, 0, options);
-    addDisc("wet", aside, 1, options);
-    chooseSubsteps(std::min(discs_[0]->cloth->stepBound(), discs_[1]->cloth->stepBound()), mostSubsteps);
-    for (const auto& disc : discs_) damp(*disc->sheet, fallDamping);
+/// Root mean square of the nodes' speeds, m/s.
+double speed(const SceneCloth& disc) {
+    double sum = 0;
+    for (int n = 0; n < disc.body().m_nodes.size(); ++n) sum += double(disc.body().m_nodes[n].m_v.length2());
+    return std::sqrt(sum / disc.body().m_nodes.size());
 }
 
-DrapeMeter::~DrapeMeter() = default;
+}  // namespace
 
-void DrapeMeter::addDisc(const std::string& name, double x, double shareOfSaturation,
-                         const SceneOptions& options) {
-    const DiscMesh mesh = discMesh(discRadius, nodesAcross(options), pedestalRadius);
-    auto sheet = makeDisc(bullet_->worldInfo(), fabric_, mesh, {btScalar(x), btScalar(pedestalHeight), 0});
+DrapeMeter::DrapeMeter(const SceneOptions& options)
+    : StagedScene(described(options), {0, 0}), isTropical_(options.fabric == "tropical") {
+    const SceneDescription scene = described(options);
+    const Fabric fabric = fabrics::byName(options.fabric.empty() ? "cotton" : options.fabric);
+    addDisc("dry", 0, fabric, scene, nodesAcross(options));
+    addDisc("wet", scene.water ? 1 : 0, fabric, scene, nodesAcross(options));
+}
+
+void DrapeMeter::addDisc(const std::string& name, double shareOfSaturation, const Fabric& fabric,
+                         const SceneDescription& scene, int nodesAcross) {
+    const DiscMesh mesh = discMesh(discRadius, nodesAcross, pedestalRadius);
+    const btVector3 centre(btScalar(axes[discs_.size()]), btScalar(pedestalHeight), 0);
     SheetSettings settings;
     settings.materialCoordinates = mesh.nodes;
     settings.waterSpeed = 0;
-    bullet_->addSoftBody(*sheet);
-    auto cloth = std::make_unique<WetCloth>(bullet_->world(), *sheet, fabric_, settings);
-    cloth->presoak(shareOfSaturation * fabric_.poreCapacity());
+    SceneCloth& disc = stage().add(
+        std::make_unique<SceneCloth>(stage().world(), name, fabric,
+                                     makeDisc(stage().world().worldInfo(), fabric, mesh, centre), settings));
+    disc.setDamping(fallDamping);
+    disc.wet().presoak(shareOfSaturation * fabric.poreCapacity());
     // Between the plates of the instrument the cloth cannot move.
-    std::mt19937 random(options.seed);
+    std::mt19937 random(scene.seed);
     std::uniform_real_distribution<double> offset(-roughness, roughness);
-    for (int n = 0; n < sheet->m_nodes.size(); ++n) {
-        btSoftBody::Node& node = sheet->m_nodes[n];
+    for (int n = 0; n < disc.body().m_nodes.size(); ++n) {
+        btSoftBody::Node& node = disc.body().m_nodes[n];
         const double height = offset(random);
         if (mesh.nodes[std::size_t(n)].norm() < pedestalRadius * (1 + 1e-6))
             node.m_im = 0;
@@ -148,14 +117,28 @@ void DrapeMeter::addDisc(const std::string& name, double x, double shareOfSatura
             node.m_x.setY(node.m_x.y() + btScalar(height));
         node.m_q = node.m_x;
     }
-    discs_.push_back(std::unique_ptr<Disc>(new Disc{name, *bullet_, x, std::move(sheet), std::move(cloth)}));
+    discs_.push_back(&disc);
 }
 
-void DrapeMeter::advance() {
-    for (const auto& disc : discs_) disc->cloth->air().wind = {0, 0, windSpeed_};
-    stepWorld();
-    const bool still = discs_[0]->speed() < slowest && discs_[1]->speed() < slowest;
+void DrapeMeter::measure() {
+    const bool still = speed(*discs_[0]) < slowest && speed(*discs_[1]) < slowest;
     stillFor_ = still ? stillFor_ + 1 : 0;
+}
+
+Silhouette DrapeMeter::silhouette(std::size_t disc) const {
+    return Silhouette(discs_[disc]->body(), {axes[disc], 0}, reach, pixels);
+}
+
+DrapeMeter::Drape DrapeMeter::drape(std::size_t disc) const {
+    const Silhouette shadow = silhouette(disc);
+    const std::vector<double> radii = shadow.radii(directions);
+    Drape drape;
+    drape.coefficient = 100 * (shadow.area() - pi * pedestalRadius * pedestalRadius) / ringArea(discRadius);
+    drape.nodes = countLobes(radii, prominence);
+    drape.dominantOrder = drench::demo::dominantOrder(radii, highestOrder);
+    drape.nearest = *std::min_element(radii.begin(), radii.end());
+    drape.farthest = *std::max_element(radii.begin(), radii.end());
+    return drape;
 }
 
 bool DrapeMeter::atRest() const {
@@ -163,57 +146,36 @@ bool DrapeMeter::atRest() const {
 }
 
 bool DrapeMeter::finished() const {
-    return TimedScene::finished() || (time_ > shortest && atRest());
-}
-
-DrapeMeter::Drape DrapeMeter::dry() const {
-    return discs_[0]->drape();
-}
-
-DrapeMeter::Drape DrapeMeter::wet() const {
-    return discs_[1]->drape();
+    return StagedScene::finished() || (time() > shortest && atRest());
 }
 
 std::string DrapeMeter::status() const {
     std::ostringstream text;
-    text << std::fixed << std::setprecision(2) << time_ << " s, still moving at " << std::setprecision(1)
-         << 1e3 * std::max(discs_[0]->speed(), discs_[1]->speed()) << " mm/s";
+    text << std::fixed << std::setprecision(2) << time() << " s, still moving at " << std::setprecision(1)
+         << 1e3 * std::max(speed(*discs_[0]), speed(*discs_[1])) << " mm/s";
     return text.str();
 }
 
-viewer::Picture DrapeMeter::picture() const {
-    viewer::Picture picture;
-    for (const auto& disc : discs_) {
-        picture.sheets.push_back(sheetMesh(*disc->sheet, *disc->cloth));
-        showPedestal(picture, float(disc->x));
-    }
-    picture.camera.target = {0, 0.075f, 0};
-    picture.camera.distance = 0.62f;
-    picture.camera.yaw = 0.05f;
-    picture.camera.pitch = 0.5f;
+void DrapeMeter::adorn(viewer::Picture& picture) const {
+    for (const double x : axes) showPedestal(picture, float(x));
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << fabric_.name << ": left dry, drape " << dry().coefficient
-         << " %, " << dry().nodes << " nodes; right wet, " << wet().coefficient << " %, " << wet().nodes;
+    text << std::fixed << std::setprecision(1) << discs_[0]->fabric().name << ": left dry, drape "
+         << dry().coefficient << " %, " << dry().nodes << " nodes; right wet, " << wet().coefficient << " %, "
+         << wet().nodes;
     picture.caption.push_back(text.str());
-    return picture;
 }
 
 std::optional<std::string> DrapeMeter::moment() const {
     if (finished()) return "drape-meter-at-rest";
-    if (frames_ == 6 || frames_ == 15) return momentName("drape-meter");
+    if (frames() == 6 || frames() == 15) return momentName();
     return std::nullopt;
 }
 
 std::vector<Drawing> DrapeMeter::drawings() const {
     std::vector<Drawing> list;
-    for (const auto& disc : discs_)
-        list.push_back({"silhouette-" + disc->name, disc->silhouette().image({pedestalRadius, discRadius})});
-    return list;
-}
-
-std::vector<SceneSheet> DrapeMeter::sheets() {
-    std::vector<SceneSheet> list;
-    for (const auto& disc : discs_) list.push_back({disc->name, disc->cloth.get()});
+    for (std::size_t disc = 0; disc < discs_.size(); ++disc)
+        list.push_back(
+            {"silhouette-" + discs_[disc]->name(), silhouette(disc).image({pedestalRadius, discRadius})});
     return list;
 }
 
@@ -223,9 +185,8 @@ std::optional<Table> DrapeMeter::result() const {
                      {"nodes", 0},      {"dominant_order", 0}, {"nearest_mm", 1},
                      {"farthest_mm", 1}};
     for (std::size_t i = 0; i < discs_.size(); ++i) {
-        const Drape drape = discs_[i]->drape();
-        const double mass = discs_[i]->cloth->dryMass() + discs_[i]->cloth->waterMass();
-        table.rows.push_back({double(i), 1e3 * mass, drape.coefficient, double(drape.nodes),
+        const Drape drape = this->drape(i);
+        table.rows.push_back({double(i), 1e3 * discs_[i]->mass(), drape.coefficient, double(drape.nodes),
                               double(drape.dominantOrder), 1e3 * drape.nearest, 1e3 * drape.farthest});
     }
     return table;
@@ -233,25 +194,27 @@ std::optional<Table> DrapeMeter::result() const {
 
 void DrapeMeter::report(std::ostream& out) const {
     print(out, *result());
-    out << "\nA disc of 30 cm on a pedestal of 18 cm. Fabric: " << fabric_.name << ". "
-        << (atRest() ? "At rest" : "Not at rest") << " after " << std::fixed << std::setprecision(2) << time_
-        << " s.\nA node stands out by " << std::setprecision(0) << 1e3 * prominence
-        << " mm or more; dominant_order is that of the largest wave in the radius.\n"
-        << std::defaultfloat << std::setprecision(6);
-    reportSteps(out, std::min(discs_[0]->cloth->stepBound(), discs_[1]->cloth->stepBound()));
+    StagedScene::report(out);
 }
 
-std::vector<std::string> DrapeMeter::failures() const {
-    std::vector<std::string> list;
-    for (const auto& disc : discs_) {
-        const double coefficient = disc->drape().coefficient;
+std::string DrapeMeter::remarks() const {
+    std::ostringstream text;
+    text << "A disc of 30 cm on a pedestal of 18 cm. Fabric: " << discs_[0]->fabric().name << ". "
+         << (atRest() ? "At rest" : "Not at rest") << " after " << std::fixed << std::setprecision(2)
+         << time() << " s.\nA node stands out by " << std::setprecision(0) << 1e3 * prominence
+         << " mm or more; dominant_order is that of the largest wave in the radius.\n";
+    return text.str();
+}
+
+void DrapeMeter::check(std::vector<std::string>& list) const {
+    for (std::size_t disc = 0; disc < discs_.size(); ++disc) {
+        const double coefficient = drape(disc).coefficient;
         if (!(coefficient > 0 && coefficient < 100))
-            list.push_back("the " + disc->name + " disc's drape coefficient is " +
+            list.push_back("the " + discs_[disc]->name() + " disc's drape coefficient is " +
                            std::to_string(coefficient) + " %");
     }
-    if (!atRest()) list.push_back("it is not at rest after " + std::to_string(time_) + " s");
+    if (!atRest()) list.push_back("it is not at rest after " + std::to_string(time()) + " s");
     if (isTropical_) checkTropical(list);
-    return list;
 }
 
 /// Measured on real cloth by Matsudaira et al. 2015, whose bending the fabric has.

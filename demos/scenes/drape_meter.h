@@ -1,12 +1,11 @@
 // Cusick's drape test, dry and wet.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "../silhouette.h"
-#include "../timed_scene.h"
+#include "../staged_scene.h"
 
 namespace drench::demo {
 
@@ -14,21 +13,16 @@ namespace drench::demo {
 /// left one dry, the right one saturated. Measured is what they then cover, seen from above: the drape
 /// coefficient, the share of the ring between pedestal and rim that is still covered, and the nodes, as the folds
 /// of a draped cloth are called.
-class DrapeMeter final : public TimedScene {
+class DrapeMeter final : public StagedScene {
   public:
     explicit DrapeMeter(const SceneOptions& options);
-    ~DrapeMeter() override;
 
-    void advance() override;
     bool finished() const override;
     std::string status() const override;
-    viewer::Picture picture() const override;
     std::optional<std::string> moment() const override;
     std::vector<Drawing> drawings() const override;
-    std::vector<SceneSheet> sheets() override;
     std::optional<Table> result() const override;
     void report(std::ostream& out) const override;
-    std::vector<std::string> failures() const override;
 
     /// What is measured of a disc.
     struct Drape {
@@ -38,19 +32,25 @@ class DrapeMeter final : public TimedScene {
         double nearest;      // m, least radius of the silhouette
         double farthest;     // m
     };
-    Drape dry() const;
-    Drape wet() const;
+    Drape dry() const { return drape(0); }
+    Drape wet() const { return drape(1); }
 
   private:
-    struct Disc;
-
-    void addDisc(const std::string& name, double x, double shareOfSaturation, const SceneOptions& options);
-    bool atRest() const;
+    void addDisc(const std::string& name, double shareOfSaturation, const Fabric& fabric,
+                 const SceneDescription& scene, int nodesAcross);
+    void measure() override;
+    std::string remarks() const override;
+    void adorn(viewer::Picture& picture) const override;
+    void check(std::vector<std::string>& list) const override;
     void checkTropical(std::vector<std::string>& list) const;
 
+    Silhouette silhouette(std::size_t disc) const;
+    Drape drape(std::size_t disc) const;
+    bool atRest() const;
+
     bool isTropical_;
-    std::vector<std::unique_ptr<Disc>> discs_;
-    int stillFor_ = 0;  // frames
+    std::vector<SceneCloth*> discs_;  // dry and wet
+    int stillFor_ = 0;                // frames
 };
 
 }  // namespace drench::demo

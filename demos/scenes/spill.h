@@ -1,31 +1,24 @@
 // Water poured on the middle of a tablecloth spreads.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "../timed_scene.h"
+#include "../staged_scene.h"
 
 namespace drench::demo {
 
 /// A cloth, 1.1 m square, lies on a table and hangs over its edges. A jug pours water on its middle; the
 /// stain spreads in the cloth by wicking, twenty times as fast as in life. The air is sealed off, so that the
 /// stain neither dries nor grows by vapour.
-class Spill final : public TimedScene {
+class Spill final : public StagedScene {
   public:
     explicit Spill(const SceneOptions& options);
-    ~Spill() override;
 
-    void advance() override;
     std::string status() const override;
-    viewer::Picture picture() const override;
     std::optional<std::string> moment() const override;
-    std::vector<SceneSheet> sheets() override { return {{"tablecloth", cloth_.get()}}; }
     std::vector<Column> columns() const override;
     std::vector<double> row() const override;
-    void report(std::ostream& out) const override;
-    std::vector<std::string> failures() const override;
 
   private:
     /// The part of the cloth that is visibly wet.
@@ -39,24 +32,27 @@ class Spill final : public TimedScene {
         double roundness() const;
     };
 
-    void addTable();
-    void addCloth(const SceneOptions& options);
-    void pour();
+    void direct() override;
+    void measure() override;
+    void adorn(viewer::Picture& picture) const override;
+    std::vector<Column> reportColumns() const override;
+    std::vector<double> reportRow() const override;
+    std::string remarks() const override;
+    void check(std::vector<std::string>& list) const override;
+
+    double pourNow();
     Stain stain() const;
-    double poured() const { return broughtBy(*jug_, *cloth_); }  // kg
+    double poured() const { return broughtBy("spray", cloth().wet()); }  // kg
     double deepestInTable() const;
-    std::vector<double> reportRow() const;
-    void showTable(viewer::Picture& picture) const;
+    double waterTime(double seconds) const { return seconds * cloth().waterSpeed(); }
     void showJug(viewer::Picture& picture) const;
 
-    btRigidBody* table_ = nullptr;
-    std::unique_ptr<btSoftBody> sheet_;
-    std::unique_ptr<WetCloth> cloth_;
-    Spray* jug_ = nullptr;
+    SolidDescription table_;
+    Eigen::Vector3d spout_;
+    double pouringRate_ = 0;       // kg/s of water time, now
     double emptyAt_ = 0;           // s, when the last of the water left the jug; 0 before
     double largestStain_ = 0;      // m2, since then
     double largestShrinkage_ = 0;  // share of the largest stain before that a later one lacked
-    Table rows_;                   // every two seconds, for the report
 };
 
 }  // namespace drench::demo

@@ -9,18 +9,18 @@
 
 #include "../angles.h"
 #include "../pictures.h"
+#include "../stage.h"
+#include "../staged_scene.h"
+#include "../vectors.h"
+#include "scene_texts.h"
 
 namespace drench::demo {
 
 namespace {
 
-constexpr double side = 1;         // m, of the sheet
-constexpr double height = 1.5;     // m, of its upper corners
-constexpr double apart = 1.5;      // m, from sheet to sheet where all are in one picture
-constexpr double slack = 0.94;     // distance of the corners over the sheet's side
-constexpr double restDamping = 1;  // 1/s
-constexpr int heldNodes = 2;       // at each corner
-constexpr int stockIterations = 10;
+constexpr double apart = 1.5;   // m, from sheet to sheet
+constexpr double slack = 0.94;  // distance of the corners over the sheet's side
+constexpr double bow = 0.15;    // m, of the sheet's middle at the start
 
 std::string number(double value, int digits) {
     std::ostringstream text;
@@ -30,85 +30,81 @@ std::string number(double value, int digits) {
 
 }  // namespace
 
-/// One sheet in a world of its own.
+/// One sheet on a stage of its own.
 class StockAndDrench::Exhibit {
   public:
     enum class Kind { stock, dry, wet };
 
-    Exhibit(Kind kind, const Fabric& fabric, int nodes)
-        : kind_(kind),
-          nodes_(nodes),
-          world_(makeWorld(WorldKind::softRigid,
-                           kind == Kind::stock ? SolverKind::stock : SolverKind::smallStep)),
-          albedo_(float(fabric.albedoRed), float(fabric.albedoGreen), float(fabric.albedoBlue)) {
-        const Corners corners = flatCorners({btScalar(-side / 2), btScalar(height), 0},
-                                            {btScalar(side), 0, 0}, {0, btScalar(-side), 0});
-        sheet_ = makeSheet(world_->worldInfo(), fabric, corners, nodes, nodes);
-        world_->addSoftBody(*sheet_);
+    /// @param scene  with the one sheet
+    Exhibit(Kind kind, SceneDescription scene, double x) : kind_(kind), sheet_(scene.sheets.front()), x_(x) {
+        sheet_.name = kind == Kind::dry ? "dry" : kind == Kind::wet ? "wet" : "stock";
+        sheet_.corner.x() += x;
+        sheet_.saturation = kind == Kind::wet ? 1 : 0;
+        scene.sheets.clear();
         if (kind == Kind::stock) {
-            sheet_->m_cfg.piterations = stockIterations;
+            scene.solver.solver = SolverKind::stock;
+            stage_ = std::make_unique<Stage>(scene);
+            addPlainSheet(scene.solver.iterations);
         } else {
-            SheetSettings settings;
-            settings.waterSpeed = 0;
-            cloth_ = std::make_unique<WetCloth>(world_->world(), *sheet_, fabric, settings);
-            if (kind == Kind::wet) cloth_->presoak(fabric.poreCapacity());
+            scene.sheets = {sheet_};
+            stage_ = std::make_unique<Stage>(scene);
+            cloth_ = stage_->sheets().front();
+            body_ = &cloth_->body();
         }
         hang();
-        world_->damp(*sheet_, restDamping, frameTime);
     }
     ~Exhibit() {
-        cloth_.reset();
-        world_->removeSoftBody(*sheet_);
+        if (plain_) stage_->world().removeSoftBody(*plain_);
     }
     Exhibit(const Exhibit&) = delete;
     Exhibit& operator=(const Exhibit&) = delete;
 
-    WetCloth* cloth() { return cloth_.get(); }
+    Stage& stage() { return *stage_; }
     bool isStock() const { return kind_ == Kind::stock; }
 
-    void advance(double wind) {
-        if (cloth_) cloth_->air().wind = {0, 0, wind};
+    void advance() {
         const auto before = std::chrono::steady_clock::now();
-        world_->step(frameTime, 1);
+        stage_->step(frameTime);
         computing_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
         ++frames_;
     }
 
     std::string name() const {
-        return kind_ == Kind::stock ? "stock Bullet, " + std::to_string(stockIterations) + " iterations"
+        return kind_ == Kind::stock
+                   ? "stock Bullet, " + std::to_string(body_->m_cfg.piterations) + " iterations"
                : kind_ == Kind::dry ? "Drench, dry"
                                     : "Drench, wet";
     }
     double mass() const {
         double sum = 0;
-        for (int n = 0; n < sheet_->m_nodes.size(); ++n)
+        for (int n = 0; n < body_->m_nodes.size(); ++n)
             if (cloth_)
-                sum += cloth_->nodeMass(n);
-            else if (sheet_->m_nodes[n].m_im > 0)
-                sum += 1 / double(sheet_->m_nodes[n].m_im);
+                sum += cloth_->wet().nodeMass(n);
+            else if (body_->m_nodes[n].m_im > 0)
+                sum += 1 / double(body_->m_nodes[n].m_im);
         return sum;
     }
-    double meanStrain() const { return demo::meanStrain(*sheet_); }
+    double meanStrain() const { return demo::meanStrain(*body_); }
     /// m below the corners.
     double lowest() const {
-        btScalar lowest = btScalar(height);
-        for (int n = 0; n < sheet_->m_nodes.size(); ++n)
-            lowest = std::min(lowest, sheet_->m_nodes[n].m_x.y());
-        return height - double(lowest);
+        auto lowest = btScalar(sheet_.corner.y());
+        for (int n = 0; n < body_->m_nodes.size(); ++n) lowest = std::min(lowest, body_->m_nodes[n].m_x.y());
+        return sheet_.corner.y() - double(lowest);
     }
     double perFrame() const { return frames_ > 0 ? computing_ / frames_ : 0; }  // s
-    int smallSteps() const { return world_->smallSteps(); }
+    int smallSteps() const { return stage_->world().smallSteps(); }
+    double x() const { return x_; }  // m, of its middle
 
-    void show(viewer::Picture& picture, float x) const {
-        viewer::SheetMesh mesh = cloth_ ? sheetMesh(*sheet_, *cloth_) : sheetMesh(*sheet_, albedo_);
+    void show(viewer::Picture& picture) const {
+        stage_->show(picture);
+        if (plain_) picture.sheets.push_back(sheetMesh(*plain_, albedo_));
+        viewer::SheetMesh& mesh = picture.sheets.back();
         mesh.clothCoordinates = flat_;
-        for (Eigen::Vector3f& position : mesh.positions) position.x() += x;
         const Eigen::Vector3f wood(0.30f, 0.22f, 0.15f);
-        for (const int corner : {0, nodes_ - 1}) {
+        for (const int corner : {0, sheet_.nodes[0] - 1}) {
             const Eigen::Vector3f top = mesh.positions[std::size_t(corner)] - Eigen::Vector3f(0, 0, 0.03f);
             picture.rods.push_back({{top.x(), 0, top.z()}, top + Eigen::Vector3f(0, 0.02f, 0), 0.012f, wood});
         }
-        picture.sheets.push_back(std::move(mesh));
     }
 
     std::vector<std::string> caption() const {
@@ -117,44 +113,61 @@ class StockAndDrench::Exhibit {
     }
 
   private:
+    /// A sheet that Drench knows nothing of.
+    void addPlainSheet(int iterations) {
+        const Fabric fabric = sheet_.fabric.fabric();
+        albedo_ = {float(fabric.albedoRed), float(fabric.albedoGreen), float(fabric.albedoBlue)};
+        plain_ = makeSheet(
+            stage_->world().worldInfo(), fabric,
+            flatCorners(bulletVector(sheet_.corner), bulletVector(sheet_.warp), bulletVector(sheet_.weft)),
+            sheet_.nodes[0], sheet_.nodes[1]);
+        body_ = plain_.get();
+        body_->m_cfg.piterations = iterations;
+        for (const Pin& pin : sheet_.pins) body_->m_nodes[nodeOfPin(*pin.warp, sheet_.nodes[0])].m_im = 0;
+        stage_->world().addSoftBody(*body_);
+        stage_->world().damp(*body_, sheet_.damping, frameTime);
+    }
+
     /// Cut flat, then hung between posts that stand a little closer, in a soft bow.
     void hang() {
-        for (int n = 0; n < sheet_->m_nodes.size(); ++n) {
-            btSoftBody::Node& node = sheet_->m_nodes[n];
-            flat_.emplace_back(float(node.m_x.x()), float(node.m_x.y()));
-            const double bow = std::cos(pi * double(node.m_x.x()) / side);
-            node.m_x.setZ(btScalar(0.15 * bow));
-            node.m_x.setX(node.m_x.x() * btScalar(slack));
+        const double side = sheet_.warp.norm();
+        for (int n = 0; n < body_->m_nodes.size(); ++n) {
+            btSoftBody::Node& node = body_->m_nodes[n];
+            const btScalar aside = node.m_x.x() - btScalar(x_);
+            flat_.emplace_back(float(aside), float(node.m_x.y()));
+            node.m_x.setZ(btScalar(bow * std::cos(pi * double(aside) / side)));
+            node.m_x.setX(btScalar(x_) + aside * btScalar(slack));
             node.m_q = node.m_x;
         }
-        for (int i = 0; i < heldNodes; ++i)
-            sheet_->m_nodes[i].m_im = sheet_->m_nodes[nodes_ - 1 - i].m_im = 0;
     }
 
     Kind kind_;
-    int nodes_;
-    std::unique_ptr<SceneWorld> world_;
-    Eigen::Vector3f albedo_;
-    std::unique_ptr<btSoftBody> sheet_;
+    SheetDescription sheet_;
+    double x_;
+    std::unique_ptr<Stage> stage_;
+    SceneCloth* cloth_ = nullptr;        // none: stock
+    std::unique_ptr<btSoftBody> plain_;  // the stock sheet
+    btSoftBody* body_ = nullptr;
+    Eigen::Vector3f albedo_ = Eigen::Vector3f::Zero();
     std::vector<Eigen::Vector2f> flat_;  // where each node is in the flat cloth
-    std::unique_ptr<WetCloth> cloth_;
-    double computing_ = 0;  // s
+    double computing_ = 0;               // s
     int frames_ = 0;
 };
 
-StockAndDrench::StockAndDrench(const SceneOptions& options)
-    : duration_(options.seconds > 0 ? options.seconds : 6) {
-    const Fabric fabric = fabrics::byName(options.fabric);
-    const int nodes = options.resolution > 0 ? options.resolution : 64;
-    exhibits_ = {std::make_unique<Exhibit>(Exhibit::Kind::stock, fabric, nodes),
-                 std::make_unique<Exhibit>(Exhibit::Kind::dry, fabric, nodes),
-                 std::make_unique<Exhibit>(Exhibit::Kind::wet, fabric, nodes)};
+StockAndDrench::StockAndDrench(const SceneOptions& options) {
+    SceneOptions own = options;
+    own.solver = SolverKind::smallStep;  // of those that are not stock, whatever is asked for
+    const SceneDescription scene = fitted(sceneFile("stock-and-drench"), own);
+    duration_ = scene.duration;
+    exhibits_ = {std::make_unique<Exhibit>(Exhibit::Kind::stock, scene, -apart),
+                 std::make_unique<Exhibit>(Exhibit::Kind::dry, scene, 0),
+                 std::make_unique<Exhibit>(Exhibit::Kind::wet, scene, apart)};
 }
 
 StockAndDrench::~StockAndDrench() = default;
 
 void StockAndDrench::advance() {
-    for (const auto& exhibit : exhibits_) exhibit->advance(windSpeed_);
+    for (const auto& exhibit : exhibits_) exhibit->advance();
     time_ = ++frames_ * frameTime;
 }
 
@@ -164,11 +177,7 @@ std::string StockAndDrench::status() const {
 
 viewer::Picture StockAndDrench::picture() const {
     viewer::Picture picture;
-    for (std::size_t i = 0; i < exhibits_.size(); ++i)
-        exhibits_[i]->show(picture, float(apart * (double(i) - 1)));
-    picture.camera.target = {0, 0.8f, 0};
-    picture.camera.distance = 4.4f;
-    picture.camera.pitch = 0.12f;
+    for (const auto& exhibit : exhibits_) exhibit->show(picture);
     std::string names;
     for (const auto& exhibit : exhibits_) names += (names.empty() ? "" : "; ") + exhibit->name();
     picture.caption.push_back(names);
@@ -179,8 +188,8 @@ std::vector<viewer::Picture> StockAndDrench::sideBySide() const {
     std::vector<viewer::Picture> row;
     for (const auto& exhibit : exhibits_) {
         viewer::Picture picture;
-        exhibit->show(picture, 0);
-        picture.camera.target = {0, 0.6f, 0};
+        exhibit->show(picture);
+        picture.camera.target = {float(exhibit->x()), 0.6f, 0};
         picture.camera.distance = 2.75f;
         picture.camera.yaw = -0.35f;
         picture.camera.pitch = 0.14f;
@@ -191,10 +200,10 @@ std::vector<viewer::Picture> StockAndDrench::sideBySide() const {
     return row;
 }
 
-std::vector<SceneSheet> StockAndDrench::sheets() {
-    std::vector<SceneSheet> list;
+std::vector<Stage*> StockAndDrench::stages() {
+    std::vector<Stage*> list;
     for (const auto& exhibit : exhibits_)
-        if (exhibit->cloth()) list.push_back({exhibit->name(), exhibit->cloth()});
+        if (!exhibit->isStock()) list.push_back(&exhibit->stage());
     return list;
 }
 

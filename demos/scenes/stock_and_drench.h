@@ -24,8 +24,7 @@ class StockAndDrench final : public Scene {
     viewer::Picture picture() const override;
     std::vector<viewer::Picture> sideBySide() const override;
     std::string sideBySideName() const override { return "stock-and-drench"; }
-    std::vector<SceneSheet> sheets() override;
-    double& windSpeed() override { return windSpeed_; }
+    std::vector<Stage*> stages() override;
     std::optional<Table> result() const override;
     void report(std::ostream& out) const override;
     std::vector<std::string> failures() const override;
@@ -33,10 +32,9 @@ class StockAndDrench final : public Scene {
   private:
     class Exhibit;
 
-    double duration_;  // s
-    double time_ = 0;  // s
+    double duration_ = 0;  // s
+    double time_ = 0;      // s
     int frames_ = 0;
-    double windSpeed_ = 0;  // m/s
     std::array<std::unique_ptr<Exhibit>, 3> exhibits_;
 };
 

@@ -7,11 +7,12 @@
 #include <limits>
 #include <numeric>
 #include <ostream>
-#include <random>
 #include <sstream>
 
 #include "../angles.h"
 #include "../pictures.h"
+#include "../staged_scene.h"
+#include "scene_texts.h"
 
 namespace drench::demo {
 
@@ -20,17 +21,13 @@ namespace {
 constexpr int steps = 10;
 constexpr double saturatedNode = 0.840e-3;  // kg of water in a saturated inner node
 constexpr double restingHeight = 3.6;       // m, of the line between the corners
-constexpr int heldNodes = 3;                // at each corner
+constexpr int heldNodes = 3;                // at each corner, as in the scene file
 constexpr double notMeasured = std::numeric_limits<double>::quiet_NaN();
 
 // A flat sheet may buckle to either side, and here and there to both, which changes the sag by a centimetre.
 // A breath of wind that fades away while it settles makes it the same side everywhere and in every step.
 constexpr double breath = 2.0;      // m/s
 constexpr double breathTime = 2.0;  // s
-
-// The experiment prescribes how much water each part of the cloth holds, so the water stands still: it
-// neither runs down nor dries.
-constexpr double waterSpeed = 0;
 
 struct PhasePlan {
     double duration;  // s
@@ -53,11 +50,23 @@ double cottonSpacing() {
 
 /// The sag hangs on the few links at the corners, which carry far more than the mean that the solver's own
 /// choice goes by. With as many small steps as nodes along the warp, twice as many change it by 2 % or so.
-SmallSteps smallSteps(int nodesWarp) {
+int smallSteps(int nodesWarp) {
     constexpr int multiple = 4;  // lets the solver spare plates
-    SmallSteps chosen;
-    chosen.count = (nodesWarp + multiple - 1) / multiple * multiple;
-    return chosen;
+    return (nodesWarp + multiple - 1) / multiple * multiple;
+}
+
+/// What a step begins with. The experiment prescribes how much water each part of the cloth holds, so the water stands
+/// still: it neither runs down nor dries.
+SceneDescription described(const SceneOptions& options, int step) {
+    SceneDescription scene = fitted(sceneFile("ten-steps"), options);
+    SheetDescription& sheet = scene.sheets.front();
+    const double width = 54 * cottonSpacing(), height = 44 * cottonSpacing();
+    sheet.corner = {-width / 2, restingHeight, 0};
+    sheet.warp = {width, 0, 0};
+    sheet.weft = {0, -height, 0};
+    sheet.saturation = shareOfSaturation(step);
+    if (!options.smallSteps) scene.solver.smallSteps = smallSteps(sheet.nodes[0]);
+    return scene;
 }
 
 double mean(const std::vector<double>& values) {
@@ -66,131 +75,6 @@ double mean(const std::vector<double>& values) {
 }
 
 }  // namespace
-
-/// The world of one step: sheet, line, ball and ground.
-class TenSteps::Rig {
-  public:
-    Rig(const Fabric& fabric, const SceneOptions& options)
-        : bullet_(makeWorld(options.world, options.solver, smallSteps(options.resolution))),
-          nodesWarp_(options.resolution),
-          nodesWeft_(std::max(3, (options.resolution * 45 + 27) / 55)) {
-        const double width = 54 * cottonSpacing(), height = 44 * cottonSpacing();
-        bullet_->addGround(0);
-        ball_ = &bullet_->addBall({btScalar(-0.75), btScalar(ballRadius), btScalar(0.95)}, ballRadius, 2);
-        const Corners corners = flatCorners({btScalar(-width / 2), btScalar(restingHeight), 0},
-                                            {btScalar(width), 0, 0}, {0, btScalar(-height), 0});
-        sheet_ = makeSheet(bullet_->worldInfo(), fabric, corners, nodesWarp_, nodesWeft_);
-        rumple(options.seed);
-        for (int i = 0; i < heldNodes; ++i) {
-            node(i, 0).m_im = 0;
-            node(nodesWarp_ - 1 - i, 0).m_im = 0;
-        }
-        bullet_->addSoftBody(*sheet_);
-        SheetSettings settings;
-        settings.waterSpeed = waterSpeed;
-        cloth_ = std::make_unique<WetCloth>(bullet_->world(), *sheet_, fabric, settings);
-    }
-
-    ~Rig() {
-        cloth_.reset();
-        bullet_->removeSoftBody(*sheet_);
-    }
-
-    Rig(const Rig&) = delete;
-    Rig& operator=(const Rig&) = delete;
-
-    WetCloth& cloth() { return *cloth_; }
-    const WetCloth& cloth() const { return *cloth_; }
-
-    /// Substeps a frame that the sheet needs. With stock Bullet these are as many as show the stiffness of the
-    /// links; the wetter the sheet, the fewer it takes. The bound is that of the lower corners, whose light nodes
-    /// need steps shorter by sqrt(2) than the sheet and carry nothing.
-    void chooseSubsteps() {
-        const double bound = cloth_->stepBound();
-        const int most = std::max(1, int(std::ceil(frameTime / (std::sqrt(2.0) * bound))));
-        substeps_ = bullet_->substepsFor(frameTime, bound, most);
-    }
-    /// Steps that the sheet made in the last frame.
-    int steps() const { return bullet_->stepsOfFrame(substeps_); }
-    std::string stepsName() const { return bullet_->stepsName(); }
-
-    void setDamping(double rate) { bullet_->damp(*sheet_, rate, frameTime / substeps_); }
-
-    void advance() { bullet_->step(frameTime, substeps_); }
-
-    double mass() const {
-        double total = 0;
-        for (int n = 0; n < sheet_->m_nodes.size(); ++n) total += cloth_->nodeMass(n);
-        return total;
-    }
-
-    double sag() const { return restingHeight - double(node(nodesWarp_ / 2, 0).m_x.y()); }
-
-    double meanStrain() const { return demo::meanStrain(*sheet_); }
-
-    btVector3 centreOfMass() const {
-        btVector3 moment(0, 0, 0);
-        for (int n = 0; n < sheet_->m_nodes.size(); ++n)
-            moment += sheet_->m_nodes[n].m_x * btScalar(cloth_->nodeMass(n));
-        return moment / btScalar(mass());
-    }
-
-    double deflection() const {
-        const btVector3 centre = centreOfMass();
-        return degrees(std::atan2(double(centre.z()), restingHeight - double(centre.y())));
-    }
-
-    double meanAlbedo() const {
-        double sum = 0;
-        for (int n = 0; n < sheet_->m_nodes.size(); ++n)
-            for (const double channel : cloth_->albedo(n)) sum += channel / 3;
-        return sum / sheet_->m_nodes.size();
-    }
-
-    double waterOfInnerNode() const {
-        const auto n = static_cast<std::size_t>(nodesWarp_ / 2 + nodesWarp_ * (nodesWeft_ / 2));
-        return cloth_->moisture().poreMass()[n] + cloth_->moisture().filmMass()[n];
-    }
-
-    void show(viewer::Picture& picture) const {
-        picture.sheets.push_back(sheetMesh(*sheet_, *cloth_));
-        picture.balls.push_back(ball(*ball_));
-        const Eigen::Vector3f left = toEigen(node(0, 0).m_x), right = toEigen(node(nodesWarp_ - 1, 0).m_x);
-        const Eigen::Vector3f beyond(0.35f, 0, 0), behind(0, 0, -0.012f);
-        const Eigen::Vector3f wood(0.30f, 0.22f, 0.15f), rope(0.62f, 0.58f, 0.50f);
-        picture.rods.push_back(
-            {left - beyond + behind, right + beyond + behind, 0.008f, rope, viewer::Material::rope});
-        for (const Eigen::Vector3f& end : {Eigen::Vector3f(left - beyond), Eigen::Vector3f(right + beyond)})
-            picture.rods.push_back({{end.x(), 0, end.z()}, {end.x(), end.y() + 0.1f, end.z()}, 0.04f, wood});
-        for (int i : {0, heldNodes - 1, nodesWarp_ - heldNodes, nodesWarp_ - 1}) {
-            const Eigen::Vector3f peg = toEigen(node(i, 0).m_x);
-            picture.rods.push_back(
-                {peg - Eigen::Vector3f(0, 0.05f, 0), peg + Eigen::Vector3f(0, 0.03f, 0), 0.014f, wood});
-        }
-    }
-
-  private:
-    static constexpr double ballRadius = 0.35;
-
-    btSoftBody::Node& node(int i, int j) { return sheet_->m_nodes[i + nodesWarp_ * j]; }
-    const btSoftBody::Node& node(int i, int j) const { return sheet_->m_nodes[i + nodesWarp_ * j]; }
-
-    /// A perfectly flat sheet has no reason to leave its plane; a hundredth of a millimetre is one.
-    void rumple(unsigned randomSeed) {
-        std::mt19937 random(randomSeed);
-        std::uniform_real_distribution<float> offset(-1e-5f, 1e-5f);
-        for (int n = 0; n < sheet_->m_nodes.size(); ++n)
-            sheet_->m_nodes[n].m_x.setZ(btScalar(offset(random)));
-    }
-
-    std::unique_ptr<SceneWorld> bullet_;
-    int nodesWarp_;
-    int nodesWeft_;
-    int substeps_ = 1;
-    btRigidBody* ball_;
-    std::unique_ptr<btSoftBody> sheet_;
-    std::unique_ptr<WetCloth> cloth_;
-};
 
 /// Finds the period of a swing from the times at which it passes its middle.
 class TenSteps::Swing {
@@ -214,8 +98,7 @@ class TenSteps::Swing {
 };
 
 TenSteps::TenSteps(const SceneOptions& options)
-    : options_(options), fabric_(fabrics::byName(options.fabric)), windSpeed_(2), drawing_(notMeasured) {
-    if (options_.resolution == 0) options_.resolution = 55;
+    : options_(options), windSpeed_(sceneFile("ten-steps").weather.windSpeed), drawing_(notMeasured) {
     beginStep(0);
 }
 
@@ -224,9 +107,8 @@ TenSteps::~TenSteps() = default;
 void TenSteps::beginStep(int step) {
     results_.push_back({notMeasured, notMeasured, notMeasured, notMeasured, notMeasured, notMeasured,
                         notMeasured, notMeasured, notMeasured, notMeasured, 0, notMeasured});
-    rig_ = std::make_unique<Rig>(fabric_, options_);
-    rig_->cloth().presoak(shareOfSaturation(step) * fabric_.poreCapacity());
-    rig_->chooseSubsteps();
+    stage_ = std::make_unique<Stage>(described(options_, step));
+    sheet_ = stage_->sheets().front();
     computing_ = 0;
     frames_ = 0;
     drawing_ = notMeasured;
@@ -239,7 +121,9 @@ void TenSteps::beginPhase(Phase phase) {
     const PhasePlan& plan = phase == Phase::settling  ? settling
                             : phase == Phase::blowing ? blowing
                                                       : swinging;
-    rig_->setDamping(plan.damping);
+    sheet().setDamping(plan.damping);
+    if (phase == Phase::blowing) stage_->weather().windSpeed = windSpeed_;
+    if (phase == Phase::swinging) stage_->weather().windSpeed = 0;
     if (phase == Phase::swinging) swing_ = std::make_unique<Swing>();
     samples_.clear();
     strains_.clear();
@@ -248,10 +132,11 @@ void TenSteps::beginPhase(Phase phase) {
 void TenSteps::advance() {
     if (done_) return;
     momentNow_ = false;
-    rig_->cloth().air().wind = {0, 0, windNow()};
+    if (phase_ == Phase::settling)
+        stage_->weather().windSpeed = breath * std::max(0.0, 1 - phaseTime_ / breathTime);
 
     const auto before = std::chrono::steady_clock::now();
-    rig_->advance();
+    stage_->step(frameTime);
     computing_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     ++frames_;
     phaseTime_ += frameTime;
@@ -271,47 +156,72 @@ void TenSteps::advance() {
     if (options_.seconds > 0 && totalTime_ >= options_.seconds) done_ = true;
 }
 
-double TenSteps::windNow() const {
-    switch (phase_) {
-        case Phase::settling:
-            return breath * std::max(0.0, 1 - phaseTime_ / breathTime);
-        case Phase::blowing:
-            return windSpeed_;
-        case Phase::swinging:
-            return 0;
-    }
-    return 0;
+double TenSteps::mass() const {
+    double total = 0;
+    for (int n = 0; n < sheet().body().m_nodes.size(); ++n) total += sheet().wet().nodeMass(n);
+    return total;
+}
+
+double TenSteps::sag() const {
+    return restingHeight - double(sheet().node(sheet().nodesWarp() / 2, 0).m_x.y());
+}
+
+btVector3 TenSteps::centreOfMass() const {
+    btVector3 moment(0, 0, 0);
+    for (int n = 0; n < sheet().body().m_nodes.size(); ++n)
+        moment += sheet().body().m_nodes[n].m_x * btScalar(sheet().wet().nodeMass(n));
+    return moment / btScalar(mass());
+}
+
+double TenSteps::deflection() const {
+    const btVector3 centre = centreOfMass();
+    return degrees(std::atan2(double(centre.z()), restingHeight - double(centre.y())));
+}
+
+double TenSteps::meanAlbedo() const {
+    double sum = 0;
+    for (int n = 0; n < sheet().body().m_nodes.size(); ++n)
+        for (const double channel : sheet().wet().albedo(n)) sum += channel / 3;
+    return sum / sheet().body().m_nodes.size();
+}
+
+double TenSteps::waterOfInnerNode() const {
+    const auto n =
+        static_cast<std::size_t>(sheet().nodesWarp() / 2 + sheet().nodesWarp() * (sheet().nodesWeft() / 2));
+    const Moisture& moisture = sheet().wet().moisture();
+    return moisture.poreMass()[n] + moisture.filmMass()[n];
 }
 
 void TenSteps::measureStill() {
     if (phaseTime_ > settling.duration - settling.averaged) {
-        samples_.push_back(rig_->sag());
-        strains_.push_back(rig_->meanStrain());
+        samples_.push_back(sag());
+        strains_.push_back(meanStrain(sheet().body()));
     }
     if (phaseTime_ < settling.duration) return;
     Result& result = results_.back();
-    result.waterPerNode = 1e3 * rig_->waterOfInnerNode();
-    result.sheetMass = rig_->mass();
-    result.massRatio = rig_->mass() / rig_->cloth().dryMass();
+    result.waterPerNode = 1e3 * waterOfInnerNode();
+    result.sheetMass = mass();
+    result.massRatio = mass() / sheet().wet().dryMass();
     result.sag = mean(samples_);
     result.meanStrain = mean(strains_);
-    result.albedo = rig_->meanAlbedo();
-    result.steps = rig_->steps();
-    const Ledger ledger = rig_->cloth().ledger();
+    result.albedo = meanAlbedo();
+    result.steps = stage_->stepsOfFrame();
+    const Ledger ledger = sheet().wet().ledger();
     result.imbalance = ledger.supplied > 0 ? std::abs(ledger.imbalance()) / ledger.supplied : 0;
     beginPhase(Phase::blowing);
 }
 
 void TenSteps::measureWind() {
-    if (phaseTime_ > blowing.duration - blowing.averaged) samples_.push_back(rig_->deflection());
+    if (phaseTime_ > blowing.duration - blowing.averaged) samples_.push_back(deflection());
     if (phaseTime_ < blowing.duration) return;
     results_.back().windDeflection = mean(samples_);
+    windSpeed_ = stage_->weather().windSpeed;  // which the user may have changed
     momentNow_ = true;
     beginPhase(Phase::swinging);
 }
 
 void TenSteps::measureSwing() {
-    swing_->note(phaseTime_, double(rig_->centreOfMass().z()));
+    swing_->note(phaseTime_, double(centreOfMass().z()));
     if (phaseTime_ < swinging.duration && std::isnan(swing_->period())) return;
     endStep();
 }
@@ -347,16 +257,29 @@ std::string TenSteps::status() const {
            names[static_cast<int>(phase_)];
 }
 
+void TenSteps::showLine(viewer::Picture& picture) const {
+    const int last = sheet().nodesWarp() - 1;
+    const Eigen::Vector3f left = toEigen(sheet().node(0, 0).m_x), right = toEigen(sheet().node(last, 0).m_x);
+    const Eigen::Vector3f beyond(0.35f, 0, 0), behind(0, 0, -0.012f);
+    const Eigen::Vector3f wood(0.30f, 0.22f, 0.15f), rope(0.62f, 0.58f, 0.50f);
+    picture.rods.push_back(
+        {left - beyond + behind, right + beyond + behind, 0.008f, rope, viewer::Material::rope});
+    for (const Eigen::Vector3f& end : {Eigen::Vector3f(left - beyond), Eigen::Vector3f(right + beyond)})
+        picture.rods.push_back({{end.x(), 0, end.z()}, {end.x(), end.y() + 0.1f, end.z()}, 0.04f, wood});
+    for (const int i : {0, heldNodes - 1, last + 1 - heldNodes, last}) {
+        const Eigen::Vector3f peg = toEigen(sheet().node(i, 0).m_x);
+        picture.rods.push_back(
+            {peg - Eigen::Vector3f(0, 0.05f, 0), peg + Eigen::Vector3f(0, 0.03f, 0), 0.014f, wood});
+    }
+}
+
 viewer::Picture TenSteps::picture() const {
     viewer::Picture picture;
-    rig_->show(picture);
-    picture.camera.target = {0, 2.0f, 0.5f};
-    picture.camera.distance = 5.9f;
-    picture.camera.yaw = 0.62f;
-    picture.camera.pitch = 0.10f;
+    stage_->show(picture);
+    showLine(picture);
     std::ostringstream text;
     text << std::fixed << "step " << results_.size() - 1 << ": " << std::setprecision(3)
-         << 1e3 * rig_->waterOfInnerNode() << " g a node, " << std::setprecision(2) << rig_->mass() << " kg";
+         << 1e3 * waterOfInnerNode() << " g a node, " << std::setprecision(2) << mass() << " kg";
     picture.caption.push_back(text.str());
     return picture;
 }
@@ -370,10 +293,6 @@ std::optional<std::string> TenSteps::moment() const {
 
 void TenSteps::noteDrawTime(double seconds) {
     drawing_ = seconds;
-}
-
-std::vector<SceneSheet> TenSteps::sheets() {
-    return {{fabric_.name, &rig_->cloth()}};
 }
 
 Table TenSteps::table() const {
@@ -403,10 +322,10 @@ void TenSteps::report(std::ostream& out) const {
     print(out, all);
     if (all.rows.empty()) return;
 
-    out << '\n' << rig_->stepsName() << ':';
+    out << '\n' << stage_->world().stepsName() << ':';
     for (std::size_t step = 0; step < all.rows.size(); ++step) out << ' ' << results_[step].steps;
     out << ".\nThe water stands still where it was put: it neither runs down nor dries. Wind " << windSpeed_
-        << " m/s. Fabric: " << fabric_.name << ".\n";
+        << " m/s. Fabric: " << sheet().fabric().name << ".\n";
 
     Table comparison;
     comparison.columns = all.columns;
@@ -441,9 +360,9 @@ std::vector<std::string> TenSteps::failures() const {
         if (result.imbalance > 1e-6)
             list.push_back("the ledger of step " + std::to_string(step) + " is open by " +
                            std::to_string(result.imbalance) + " of what was supplied");
-        const double expected = 1e3 * shareOfSaturation(static_cast<int>(step)) * fabric_.poreCapacity() *
-                                cottonSpacing() * cottonSpacing();
-        if (options_.resolution == 55 && std::abs(result.waterPerNode - expected) > 1e-4)
+        const double expected = 1e3 * shareOfSaturation(static_cast<int>(step)) *
+                                sheet().fabric().poreCapacity() * cottonSpacing() * cottonSpacing();
+        if (sheet().nodesWarp() == 55 && std::abs(result.waterPerNode - expected) > 1e-4)
             list.push_back("an inner node of step " + std::to_string(step) + " holds " +
                            std::to_string(result.waterPerNode) + " g instead of " + std::to_string(expected) +
                            " g");

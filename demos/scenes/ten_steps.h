@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "../scene.h"
+#include "../stage.h"
 
 namespace drench::demo {
 
@@ -25,8 +26,7 @@ class TenSteps final : public Scene {
     viewer::Picture picture() const override;
     std::optional<std::string> moment() const override;
     void noteDrawTime(double seconds) override;
-    std::vector<SceneSheet> sheets() override;
-    double& windSpeed() override { return windSpeed_; }
+    std::vector<Stage*> stages() override { return {stage_.get()}; }
     std::vector<Column> columns() const override { return {{"step", 0}}; }
     std::vector<double> row() const override { return {double(results_.size() - 1)}; }
     std::optional<Table> result() const override { return table(); }
@@ -51,23 +51,30 @@ class TenSteps final : public Scene {
     };
 
   private:
-    class Rig;
     class Swing;
 
     enum class Phase { settling, blowing, swinging };
 
+    SceneCloth& sheet() const { return *sheet_; }
+    double mass() const;
+    double sag() const;
+    btVector3 centreOfMass() const;
+    double deflection() const;
+    double meanAlbedo() const;
+    double waterOfInnerNode() const;
+    void showLine(viewer::Picture& picture) const;
+
     void beginStep(int step);
     void beginPhase(Phase phase);
-    double windNow() const;
     void measureStill();
     void measureWind();
     void measureSwing();
     void endStep();
 
     SceneOptions options_;
-    Fabric fabric_;
-    double windSpeed_;
-    std::unique_ptr<Rig> rig_;
+    double windSpeed_;  // m/s, that the next step is blown at with
+    std::unique_ptr<Stage> stage_;
+    SceneCloth* sheet_ = nullptr;
     std::unique_ptr<Swing> swing_;
     std::vector<Result> results_;  // the last one is of the step under way
     Phase phase_ = Phase::settling;

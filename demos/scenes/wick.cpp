@@ -8,18 +8,13 @@
 #include <ostream>
 #include <sstream>
 
-#include "../pictures.h"
+#include "scene_texts.h"
 
 namespace drench::demo {
 
 namespace {
 
-constexpr double width = 0.03;        // m, of the strip
-constexpr double length = 0.30;       // m
-constexpr double footHeight = 0.03;   // m, of the strip's lower end above the ground
-constexpr double wantedDepth = 0.01;  // m, of the foot below the water
-constexpr double waterSpeed = 60;
-constexpr int mostSubsteps = 4;          // the frame holds the strip, so that nothing moves fast
+constexpr double wantedDepth = 0.01;     // m, of the foot below the water
 constexpr double frontLevel = 0.1;       // saturation that counts as wet
 constexpr double finestNeeded = 5.1e-3;  // m, node spacing up to which heights compare with the reference
 constexpr double tolerance = 0.12;       // of heights against the reference, whose foot is always full
@@ -66,11 +61,11 @@ void showDish(viewer::Picture& picture, float level) {
 }
 
 /// The frame beside the strip, and marks on it at every centimetre above the water.
-void showFrame(viewer::Picture& picture, float level) {
+void showFrame(viewer::Picture& picture, const SheetDescription& strip, float level) {
     const Eigen::Vector3f wood(0.42f, 0.31f, 0.20f), mark(0.03f, 0.03f, 0.03f);
-    const float side = float(width) / 2 + 0.004f, top = float(footHeight + length) + 0.006f;
-    for (const float x : {-side, side})
-        picture.rods.push_back({{x, float(footHeight), 0}, {x, top, 0}, 0.004f, wood});
+    const auto foot = float(strip.corner.y());
+    const float side = float(strip.weft.norm()) / 2 + 0.004f, top = foot + float(strip.warp.norm()) + 0.006f;
+    for (const float x : {-side, side}) picture.rods.push_back({{x, foot, 0}, {x, top, 0}, 0.004f, wood});
     picture.rods.push_back({{-side, top, 0}, {side, top, 0}, 0.005f, wood});
     for (int centimetre = 0; level + 0.01f * float(centimetre) < top; ++centimetre) {
         const float y = level + 0.01f * float(centimetre), reach = centimetre % 5 == 0 ? 0.014f : 0.007f;
@@ -82,57 +77,52 @@ void showFrame(viewer::Picture& picture, float level) {
     }
 }
 
+double spacingOf(const SheetDescription& strip) {
+    return strip.warp.norm() / (strip.nodes[0] - 1);
+}
+
+PoolDescription& dishOf(SceneDescription& scene) {
+    return std::get<PoolDescription>(scene.sources.front().water);
+}
+
+/// The topmost wet row is just under the surface, so that heights count from where the water enters.
+SceneDescription described(const SceneOptions& options) {
+    SceneDescription scene = fitted(sceneFile("wick"), options);
+    const SheetDescription& strip = scene.sheets.front();
+    const double spacing = spacingOf(strip);
+    const double depth = (std::max(1.0, std::round(wantedDepth / spacing)) + 0.01) * spacing;
+    dishOf(scene).level = strip.corner.y() + depth;
+    return scene;
+}
+
 }  // namespace
 
-Wick::Wick(const SceneOptions& options)
-    : TimedScene(options, 30),
-      isCotton_(options.fabric == "cotton"),
-      nodesWarp_(options.resolution > 0 ? options.resolution : 61),
-      nodesWeft_(std::max(3, 1 + int(std::lround((nodesWarp_ - 1) * width / length)))),
-      spacing_(length / (nodesWarp_ - 1)) {
-    // The topmost wet row is just under the surface, so that heights count from where the water enters.
-    depth_ = (std::max(1.0, std::round(wantedDepth / spacing_)) + 0.01) * spacing_;
-    bullet_->addGround(0);
-    const Corners corners = flatCorners({btScalar(-width / 2), btScalar(footHeight), 0},
-                                        {0, btScalar(length), 0}, {btScalar(width), 0, 0});
-    sheet_ = makeSheet(bullet_->worldInfo(), fabric_, corners, nodesWarp_, nodesWeft_);
-    for (int row = 0; row < nodesWarp_; ++row) {
-        sheet_->m_nodes[row].m_im = 0;
-        sheet_->m_nodes[row + nodesWarp_ * (nodesWeft_ - 1)].m_im = 0;
-    }
-    bullet_->addSoftBody(*sheet_);
-    SheetSettings settings;
-    settings.waterSpeed = waterSpeed;
-    cloth_ = std::make_unique<WetCloth>(bullet_->world(), *sheet_, fabric_, settings);
-    cloth_->air().vapourExchange = 0;
-    chooseSubsteps(cloth_->stepBound(), mostSubsteps);
-    cloth_->add(Pool(footHeight + depth_));
-}
+Wick::Wick(const SceneOptions& options) : Wick(described(options)) {}
 
-Wick::~Wick() {
-    cloth_.reset();
-    bullet_->removeSoftBody(*sheet_);
-}
+Wick::Wick(const SceneDescription& description)
+    : StagedScene(description, {0, 0}),
+      spacing_(spacingOf(description.sheets.front())),
+      level_(std::get<PoolDescription>(description.sources.front().water).level) {}
 
-void Wick::advance() {
-    cloth_->air().wind = {0, 0, windSpeed_};
-    stepWorld();
+void Wick::measure() {
     heights_.push_back(frontHeight());
 }
 
 double Wick::rowSaturation(int row) const {
     double sum = 0;
-    for (int column = 0; column < nodesWeft_; ++column) sum += cloth_->saturation(row + nodesWarp_ * column);
-    return sum / nodesWeft_;
+    for (int column = 0; column < cloth().nodesWeft(); ++column)
+        sum += cloth().wet().saturation(row + cloth().nodesWarp() * column);
+    return sum / cloth().nodesWeft();
 }
 
 double Wick::frontHeight() const {
+    const double depth = level_ - cloth().madeFrom().corner.y();
     double above = 0;
-    for (int row = nodesWarp_ - 1; row >= 0; --row) {
+    for (int row = cloth().nodesWarp() - 1; row >= 0; --row) {
         const double here = rowSaturation(row);
         if (here >= frontLevel) {
-            const double share = row + 1 < nodesWarp_ ? (here - frontLevel) / (here - above) : 0;
-            return std::max(0.0, (row + share) * spacing_ - depth_);
+            const double share = row + 1 < cloth().nodesWarp() ? (here - frontLevel) / (here - above) : 0;
+            return std::max(0.0, (row + share) * spacing_ - depth);
         }
         above = here;
     }
@@ -140,12 +130,12 @@ double Wick::frontHeight() const {
 }
 
 double Wick::waterMinutes() const {
-    return time_ * waterSpeed / 60;
+    return time() * cloth().waterSpeed() / 60;
 }
 
 /// NaN for a time that has not come.
 double Wick::heightAfter(double minutes) const {
-    const auto frame = static_cast<std::size_t>(std::lround(minutes * 60 / waterSpeed / frameTime));
+    const auto frame = static_cast<std::size_t>(std::lround(minutes * 60 / cloth().waterSpeed() / frameTime));
     return frame >= 1 && frame <= heights_.size() ? heights_[frame - 1] : notMeasured;
 }
 
@@ -155,7 +145,7 @@ std::optional<Wick::Fit> Wick::fit() const {
     double meanTime = 0, meanSquare = 0;
     for (std::size_t i = 0; i < heights_.size(); ++i) {
         if (heights_[i] < fitFrom || heights_[i] > fitTo) continue;
-        times.push_back(double(i + 1) * frameTime * waterSpeed);
+        times.push_back(double(i + 1) * frameTime * cloth().waterSpeed());
         squares.push_back(heights_[i] * heights_[i]);
         meanTime += times.back();
         meanSquare += squares.back();
@@ -175,7 +165,7 @@ std::optional<Wick::Fit> Wick::fit() const {
 }
 
 bool Wick::hasReference() const {
-    return isCotton_ && spacing_ <= finestNeeded;
+    return cloth().isMadeOf("cotton") && spacing_ <= finestNeeded;
 }
 
 std::string Wick::status() const {
@@ -185,26 +175,18 @@ std::string Wick::status() const {
     return text.str();
 }
 
-viewer::Picture Wick::picture() const {
-    viewer::Picture picture;
-    const auto level = float(footHeight + depth_);
-    picture.sheets.push_back(sheetMesh(*sheet_, *cloth_));
-    showDish(picture, level);
-    showFrame(picture, level);
-    picture.camera.target = {0, 0.175f, 0};
-    picture.camera.distance = 0.56f;
-    picture.camera.yaw = -0.3f;
-    picture.camera.pitch = 0.16f;
+void Wick::adorn(viewer::Picture& picture) const {
+    showDish(picture, float(level_));
+    showFrame(picture, cloth().madeFrom(), float(level_));
     std::ostringstream text;
     text << std::fixed << std::setprecision(1) << waterMinutes() << " min: front at " << 100 * frontHeight()
-         << " cm, " << std::setprecision(2) << 1e3 * cloth_->waterMass() << " g of water";
+         << " cm, " << std::setprecision(2) << 1e3 * cloth().wet().waterMass() << " g of water";
     picture.caption.push_back(text.str());
-    return picture;
 }
 
 std::optional<std::string> Wick::moment() const {
     for (const Reference& point : reference) {
-        if (std::lround(point.minutes * 60 / waterSpeed / frameTime) != frames_) continue;
+        if (std::lround(point.minutes * 60 / cloth().waterSpeed() / frameTime) != frames()) continue;
         std::ostringstream name;
         name << "wick-" << std::setw(2) << std::setfill('0') << std::lround(point.minutes) << "min";
         return name.str();
@@ -230,7 +212,7 @@ void Wick::report(std::ostream& out) const {
                "fills its part of the strip with the fabric's wetting time, so the front stays a little "
                "behind.\n";
     reportFit(out);
-    out << "No vapour passes between strip and air. Fabric: " << fabric_.name << ", node spacing "
+    out << "No vapour passes between strip and air. Fabric: " << cloth().fabric().name << ", node spacing "
         << 1e3 * spacing_ << " mm.\n";
 }
 
@@ -254,16 +236,14 @@ void Wick::reportFit(std::ostream& out) const {
     out << text.str();
 }
 
-std::vector<std::string> Wick::failures() const {
-    std::vector<std::string> list;
+void Wick::check(std::vector<std::string>& list) const {
     for (std::size_t i = 1; i < heights_.size(); ++i) {
         if (heights_[i] >= heights_[i - 1]) continue;
         list.push_back("the front falls from " + std::to_string(heights_[i - 1]) + " m to " +
                        std::to_string(heights_[i]) + " m");
         break;
     }
-    checkLedger(list, *cloth_);
-    if (!hasReference()) return list;
+    if (!hasReference()) return;
 
     for (const Reference& point : reference) {
         const double height = heightAfter(point.minutes);
@@ -277,7 +257,6 @@ std::vector<std::string> Wick::failures() const {
         list.push_back("the square of the height does not grow with time: R2 is " +
                        std::to_string(washburn->determination));
     if (!washburn && waterMinutes() > 5) list.push_back("the front has not risen enough for a fit");
-    return list;
 }
 
 }  // namespace drench::demo

@@ -35,6 +35,8 @@ GlfwWindow::GlfwWindow(int width, int height, const std::string& title, Visibili
     // macOS gives 3.3 to forward-compatible contexts only.
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
+    // As large to the eye on a screen of many pixels.
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_VISIBLE, visibility == Visibility::shown ? GLFW_TRUE : GLFW_FALSE);
     // The renderer smooths in a framebuffer of its own and needs no depth here.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);

@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <thread>
 
+#include "viewer/fonts.h"
 #include "viewer/glfw_window.h"
 #include "viewer/imgui_session.h"
 #include "viewer/orbit.h"
@@ -31,6 +33,24 @@ std::optional<Key> meaning(int key) {
             return Key::step;
         case GLFW_KEY_R:
             return Key::reset;
+        case GLFW_KEY_UP:
+            return Key::wetter;
+        case GLFW_KEY_DOWN:
+            return Key::drier;
+        case GLFW_KEY_PAGE_DOWN:
+            return Key::nextScene;
+        case GLFW_KEY_PAGE_UP:
+            return Key::formerScene;
+        case GLFW_KEY_V:
+            return Key::nextView;
+        case GLFW_KEY_S:
+            return Key::split;
+        case GLFW_KEY_TAB:
+            return Key::panel;
+        case GLFW_KEY_F1:
+            return Key::help;
+        case GLFW_KEY_F9:
+            return Key::record;
         case GLFW_KEY_ESCAPE:
             return Key::close;
         case GLFW_KEY_F12:
@@ -77,22 +97,20 @@ void scaleInterface(GLFWwindow* window) {
     glfwGetFramebufferSize(window, &pixels, nullptr);
     const float pixelsPerUnit =
         width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1.0f;
-    ImFontConfig font;
-    font.SizePixels = 13.0f * std::max(1.0f, density);
     ImGuiIO& io = ImGui::GetIO();
-    io.Fonts->AddFontDefault(&font);
+    addReadableFont(*io.Fonts, 14.0f * std::max(1.0f, density));
     io.FontGlobalScale = 1.0f / pixelsPerUnit;
     ImGui::GetStyle().ScaleAllSizes(std::max(1.0f, density) / pixelsPerUnit);
 }
 
-void followMouse(Camera& camera) {
+void followMouse(Camera& camera, bool leftOrbits) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantCaptureMouse || !(io.DisplaySize.y > 0.0f)) {
         return;
     }
     const float right = io.MouseDelta.x / io.DisplaySize.y;
     const float down = io.MouseDelta.y / io.DisplaySize.y;
-    if (io.MouseDown[ImGuiMouseButton_Left]) {
+    if (leftOrbits && io.MouseDown[ImGuiMouseButton_Left]) {
         orbit(camera, right, down);
     } else if (io.MouseDown[ImGuiMouseButton_Right] || io.MouseDown[ImGuiMouseButton_Middle]) {
         pan(camera, right, down);
@@ -141,7 +159,29 @@ class Window::Contents {
         if (ImGui::GetIO().WantTextInput) {
             keys_.clear();
         }
-        followMouse(camera_);
+    }
+
+    void moveCamera(bool leftOrbits) { followMouse(camera_, leftOrbits); }
+
+    bool isHeld(HeldKey key) const {
+        return hasFocus() && !ImGui::GetIO().WantTextInput &&
+               glfwGetKey(handle(), key == HeldKey::h ? GLFW_KEY_H : GLFW_KEY_D) == GLFW_PRESS;
+    }
+
+    std::optional<Mouse> mouse(int columns) const {
+        const ImGuiIO& io = ImGui::GetIO();
+        if (io.WantCaptureMouse || !hasFocus() || !(io.DisplaySize.x > 0.0f && io.DisplaySize.y > 0.0f) ||
+            !ImGui::IsMousePosValid()) {
+            return std::nullopt;
+        }
+        Mouse mouse;
+        const float across = static_cast<float>(columns) * io.MousePos.x / io.DisplaySize.x;
+        mouse.column = std::clamp(static_cast<int>(std::floor(across)), 0, columns - 1);
+        mouse.ray = rayThrough(camera_, io.DisplaySize.x / io.DisplaySize.y / static_cast<float>(columns),
+                               across - static_cast<float>(mouse.column), io.MousePos.y / io.DisplaySize.y);
+        mouse.left = io.MouseDown[ImGuiMouseButton_Left];
+        mouse.leftWentDown = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+        return mouse;
     }
 
     void endFrame() {
@@ -160,6 +200,8 @@ class Window::Contents {
     }
 
   private:
+    bool hasFocus() const { return glfwGetWindowAttrib(handle(), GLFW_FOCUSED) == GLFW_TRUE; }
+
     // Filled by GLFW while it polls.
     std::vector<Key> arriving_;
     std::vector<Key> keys_;
@@ -192,12 +234,29 @@ void Window::beginFrame() {
     contents_->beginFrame();
 }
 
+void Window::moveCamera(bool leftOrbits) {
+    contents_->moveCamera(leftOrbits);
+}
+
 void Window::endFrame() {
     contents_->endFrame();
 }
 
 const std::vector<Key>& Window::keys() const {
     return contents_->keys();
+}
+
+bool Window::isHeld(HeldKey key) const {
+    return contents_->isHeld(key);
+}
+
+std::optional<Mouse> Window::mouse(int columns) const {
+    return contents_->mouse(columns);
+}
+
+std::string Window::rendererName() const {
+    const GLubyte* const name = glGetString(GL_RENDERER);
+    return name == nullptr ? "unknown" : reinterpret_cast<const char*>(name);
 }
 
 Camera& Window::camera() {

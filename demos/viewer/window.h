@@ -2,19 +2,47 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "viewer/picking.h"
 #include "viewer/picture.h"
 
 namespace drench::viewer {
 
-// The keys a Window reports: space or p pauses, '.' or the right arrow steps (and repeats while held), r
-// resets, escape closes, F12 takes a screenshot.
-enum class Key { pause, step, reset, close, screenshot };
+// The keys a Window reports when they go down.
+enum class Key {
+    pause,        // space or p
+    step,         // '.' or right arrow; repeats while held
+    reset,        // r
+    wetter,       // up arrow
+    drier,        // down arrow
+    nextScene,    // page down
+    formerScene,  // page up
+    nextView,     // v
+    split,        // s
+    panel,        // tab
+    help,         // F1
+    record,       // F9
+    screenshot,   // F12
+    close         // escape
+};
 
-// A window with an OpenGL 3.3 core context, an ImGui context and a camera that follows the mouse: dragging
-// with the left button orbits, with the right or middle button pans, the wheel zooms. Both contexts are
+// Keys that matter while they are held.
+enum class HeldKey { h, d };
+
+// The mouse over the picture, not over ImGui's windows.
+struct Mouse {
+    Ray ray;
+    // Of the pictures side by side, the one that it is over, from the left.
+    int column = 0;
+    // The left button: down, and whether it went down in this frame.
+    bool left = false;
+    bool leftWentDown = false;
+};
+
+// A window with an OpenGL 3.3 core context, an ImGui context and a camera that the mouse moves. Both contexts are
 // current from construction on. Main thread only; renderers made in it must go before it does.
 class Window {
   public:
@@ -33,13 +61,23 @@ class Window {
     // Makes isOpen() false.
     void requestClose();
 
-    // Handles input, moves the camera and starts an ImGui frame, after which ImGui calls may follow.
+    // Handles input and starts an ImGui frame, after which ImGui calls may follow.
     void beginFrame();
+    // Moves the camera by the mouse of this frame: the right or middle button pans, the wheel zooms, and the left one
+    // orbits if it is free to. What goes down over ImGui's windows counts for those.
+    void moveCamera(bool leftOrbits);
     // Draws ImGui over framebuffer 0 and shows the result, waiting for the screen.
     void endFrame();
 
     // The keys pressed between the last two beginFrame calls, in order, without those typed into ImGui.
     const std::vector<Key>& keys() const;
+    // Whether a key is held now; false while the window has lost the focus or text is typed.
+    bool isHeld(HeldKey key) const;
+    // Where the mouse is over one of so many pictures of equal width side by side; none while it is over ImGui's windows or
+    // the focus is lost. A button that is held stays with the pictures wherever it is moved.
+    std::optional<Mouse> mouse(int columns = 1) const;
+    // What OpenGL draws with, as the driver names it.
+    std::string rendererName() const;
     // The camera that the mouse moves; set it to look elsewhere.
     Camera& camera();
     // Size of framebuffer 0 in pixels; 0 while the window is minimised, which Renderer::draw accepts.

@@ -13,6 +13,7 @@
 #include "drench/small_step_solver.h"
 #include "drench/source.h"
 #include "drench/sources.h"
+#include "drench/step_times.h"
 #include "drench/surface.h"
 #include "drench/water.h"
 #include "drench/wet_cloth.h"

@@ -19,6 +19,7 @@
 #include "drench/moisture.h"
 #include "drench/precision.h"
 #include "drench/source.h"
+#include "drench/step_times.h"
 #include "drench/surface.h"
 #include "drench/wet_laws.h"
 
@@ -167,6 +168,12 @@ class WetCloth {
     /// Forgets what was said of a solid.
     void clearSurface(const btCollisionObject& solid);
 
+    /// Changes how fast water runs from the next substep on; see `SheetSettings::waterSpeed`.
+    /// @throws std::invalid_argument for a value that is not from 0 to 1e5
+    void setWaterSpeed(double speed);
+    /// How much faster water runs than the body's own time, 1.
+    double waterSpeed() const;
+
     /// Adds a source of water: one of those in sources.h and wet_contact.h, or your own. It works from the
     /// next substep on, in the account of its name; sources of the same name share it.
     /// @return the source where it is now, until it is removed; its settings may be changed there
@@ -246,6 +253,9 @@ class WetCloth {
     /// Looks over all nodes, links and contacts. Once the body has ended, all is 0
     /// and `finite` is false.
     SheetHealth health() const;
+
+    /// What the steps of this sheet have taken so far.
+    StepTimes times() const;
 
     /// Does the layer's work for a substep of `dt` seconds that is about to begin. Only for `Stepping::byApplication`;
     /// otherwise the world calls it and its errors come out of stepSimulation: Bullet's step is then left undone, other

@@ -32,6 +32,9 @@ class AccountSupply final : public Supply {
     AccountSupply(const Sheet& sheet, std::size_t account, double momentumShare, double noticeable)
         : sheet_(sheet), account_(account), momentumShare_(momentumShare), noticeable_(noticeable) {}
 
+    /// As in the constructor, from now on.
+    void setMomentumShare(double momentumShare) { momentumShare_ = momentumShare; }
+
     void addFilm(std::size_t node, double mass, const Eigen::Vector3d& velocity) override;
     void addFilm(std::size_t node, double mass) override;
     void addPores(std::size_t node, double mass) override;

@@ -11,6 +11,7 @@
 #include "drench/drying.h"
 #include "drench/water.h"
 #include "link_constants.h"
+#include "stop_watch.h"
 #include "vectors.h"
 
 namespace drench {
@@ -20,10 +21,16 @@ namespace {
 
 constexpr std::size_t mostDropsKept = 100000;
 
-double checkedWaterSpeed(double waterSpeed) {
+double checkedWaterSpeed(const char* name, double waterSpeed) {
     if (waterSpeed >= 0 && waterSpeed <= 1e5) return waterSpeed;
-    throw std::invalid_argument("drench: SheetSettings::waterSpeed is " + std::to_string(waterSpeed) +
+    throw std::invalid_argument("drench: " + (name + (" is " + std::to_string(waterSpeed))) +
                                 "; give a value from 0 to 100000");
+}
+
+/// Of arriving water, the part that pushes the body: it is hit by the water of its own time only, however much more
+/// the sheet takes up meanwhile.
+double momentumShare(double waterSpeed) {
+    return std::min(1.0, 1 / waterSpeed);
 }
 
 RestShape checkedShape(const btCollisionWorld& world, const btSoftBody& body) {
@@ -85,7 +92,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
     : world(checkedSoftWorld(aWorld)),
       body(sheet),
       stepping(settings.stepping),
-      waterSpeed(checkedWaterSpeed(settings.waterSpeed)),
+      waterSpeed(checkedWaterSpeed("SheetSettings::waterSpeed", settings.waterSpeed)),
       fabric(aFabric),
       mechanics(checkedMechanics(world, body, fabric, settings)),
       mesh(mechanics.mesh),
@@ -180,12 +187,11 @@ void WetCloth::Layer::add(std::unique_ptr<Source> source) {
         source->supply(sheetPose(), 0, trial);
     }
     const std::size_t number = moisture.openAccount(source->name());
-    // A body is hit by the water of its own time only, however much more the sheet takes up meanwhile.
-    const double momentumShare = std::min(1.0, 1 / waterSpeed);
     // Cloth that floats may go to sleep, while its last pores fill ever more slowly, and wakes as it gets heavier.
     const double noticeable = 1e-3 * laws.mass(totalArea, 0);
-    auto supply = std::make_unique<AccountSupply>(
-        AccountSupply::Sheet{moisture, arrivals, submersion, body, watch}, number, momentumShare, noticeable);
+    auto supply =
+        std::make_unique<AccountSupply>(AccountSupply::Sheet{moisture, arrivals, submersion, body, watch},
+                                        number, momentumShare(waterSpeed), noticeable);
     suppliers.push_back({std::move(source), std::move(supply)});
 }
 
@@ -197,6 +203,11 @@ void WetCloth::Layer::remove(const Source& source) {
         return;
     }
     throw std::invalid_argument("drench: the source to remove is not one of this WetCloth's");
+}
+
+void WetCloth::Layer::setWaterSpeed(double speed) {
+    waterSpeed = checkedWaterSpeed("the water speed", speed);
+    for (Supplier& supplier : suppliers) supplier.supply->setMomentumShare(momentumShare(speed));
 }
 
 void WetCloth::Layer::forgetRemoved() {
@@ -229,17 +240,26 @@ void WetCloth::Layer::substep(btScalar dt) {
     time += bodyStep;
 
     surroundings.heights = pose.heights;
+    StopWatch watchOfStages;
     supply(bodyStep * waterSpeed);
+    mechanics.times.supply += watchOfStages.lap();
     touchSolids();
     moveWater(bodyStep * waterSpeed);
     collectDrops();
+    mechanics.times.water += watchOfStages.lap();
     takeUpMomentum(body, mechanics.masses, arrivals);
     writeBack(bodyStep);
+    mechanics.times.laws += watchOfStages.lap();
+    pushByFluid(bodyStep);
+    mechanics.times.air += watchOfStages.lap();
+    if (deformable) deformable->write(body);
+    ++mechanics.times.substeps;
     awaitPostTick(world, *this);
 }
 
 void WetCloth::Layer::postTick(btScalar dt) {
     if (!isInWorld() || !body.isActive()) return;
+    StopWatch watchOfContacts;
     using Mover = ClothContacts::Mover;
     if (deformable) {
         const bool implicit = deformableModeOf(world).implicit;
@@ -250,6 +270,7 @@ void WetCloth::Layer::postTick(btScalar dt) {
         clothContacts.solve(world, body, mechanics.grip, Mover::stockSolver, double(body.m_sst.sdt));
         stockContacts.rewrite(world, body, mechanics.grip);
     }
+    mechanics.times.contacts += watchOfContacts.lap();
 }
 
 /// The deformable world knows no timescale.
@@ -355,23 +376,20 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) {
     }
     if (deformable) deformable->check(world, double(dt));
     // The last, as shelter lasts from step to step.
+    StopWatch watchOfWind;
     winds.evaluate(air, {pose, toEigen(body.m_nodes[0].m_x), time, bodyStepOf(dt), world});
+    mechanics.times.air += watchOfWind.lap();
 }
 
 void WetCloth::Layer::writeBack(double bodyStep) {
     mechanics.evaluate(laws, moisture);
     writeMasses(body, mechanics.masses);
-    if (deformable) {
-        pushByFluid(bodyStep);
-        deformable->write(body);
-        return;
-    }
+    if (deformable) return;
     // A SmallStepSolver reads the mechanics itself; Bullet's takes them from the links.
     if (!std::exchange(mechanics.movedBySmallSteps, false)) {
         writeLinkConstants(body, mechanics, bodyStep);
         mechanics.smallSteps = 0;
     }
-    pushByFluid(bodyStep);
 }
 
 /// Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.

@@ -76,6 +76,7 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     void substep(btScalar dt);
     void checkBeforeStep(btScalar dt);
     double bodyStepOf(btScalar dt) const;
+    void setWaterSpeed(double speed);
     void supply(double waterTime);
     void touchSolids();
     void moveWater(double waterTime);
@@ -86,7 +87,7 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     btDiscreteDynamicsWorld& world;  // known to exist during its own pre-tick only
     btSoftBody& body;                // exists while the watch says so
     const Stepping stepping;
-    const double waterSpeed;
+    double waterSpeed;
     int objectsChecked = 0;  // collision objects in the world when it was last looked through for planes
     Air air;
 

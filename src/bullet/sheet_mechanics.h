@@ -9,6 +9,7 @@
 #include "drench/fabric.h"
 #include "drench/moisture.h"
 #include "drench/precision.h"
+#include "drench/step_times.h"
 #include "drench/wet_laws.h"
 #include "grip.h"
 #include "rest_shape.h"
@@ -47,6 +48,8 @@ struct SheetMechanics {
     bool movedBySmallSteps = false;  // in the last substep
     int smallSteps = 0;              // of the last substep
     int heldSubsteps = 0;            // that came to nothing finite
+
+    StepTimes times;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

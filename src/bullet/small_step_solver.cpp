@@ -15,6 +15,7 @@
 #include "sheet_mechanics.h"
 #include "soft_contacts.h"
 #include "solids.h"
+#include "stop_watch.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -144,6 +145,8 @@ struct SmallStepSolver::State {
     void begin(btScalar substep);
     void smallStep(double smallStepOfWorld);
     void finish(btScalar substep);
+    /// Books time that sheets share.
+    void share(double StepTimes::*stage, double seconds);
 
     const SmallSteps settings;
     Solids solids;
@@ -186,6 +189,7 @@ void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics
     if (!mechanics.moving) mechanics.moving = std::make_shared<MovingSheet>(mechanics);
     mechanics.movedBySmallSteps = true;
     MovingSheet& sheet = *mechanics.moving;
+    StopWatch watch;
     writeStepState(body, substep);
     if (body.m_cfg.kPR != 0 || body.m_cfg.kVC > 0) body.applyForces();
     sheet.cloth.begin(body, mechanics, double(body.m_sst.sdt));
@@ -195,6 +199,7 @@ void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics
     writeBounds(body, sheet.cloth);
     if (body.m_cfg.collisions & btSoftBody::fCollision::VF_SS)
         prepareSoftContacts(body, sheet.cloth, mechanics.grip);
+    mechanics.times.solver += watch.lap();
 }
 
 void SmallStepSolver::processCollision(btSoftBody* body, const btCollisionObjectWrapper* solid) {
@@ -203,16 +208,24 @@ void SmallStepSolver::processCollision(btSoftBody* body, const btCollisionObject
     using Collision = btSoftBody::fCollision;
     if ((body->m_cfg.collisions & Collision::RVSmask) != Collision::SDF_RS || !body->isActive()) return;
     MovingSheet& sheet = *mechanics->moving;
+    StopWatch watch;
     sheet.contacts.find(*body, sheet.cloth, mechanics->grip, *solid, double(body->m_sst.sdt), state_->solids);
+    mechanics->times.contacts += watch.lap();
 }
 
 void SmallStepSolver::processCollision(btSoftBody* body, btSoftBody* other) {
-    if (!movedHere(*body) && !movedHere(*other))
-        return btDefaultSoftBodySolver::processCollision(body, other);
+    SheetMechanics* const mechanics = movedHere(*body);
+    SheetMechanics* const others = movedHere(*other);
+    if (!mechanics && !others) return btDefaultSoftBodySolver::processCollision(body, other);
     using Collision = btSoftBody::fCollision;
     if (body == other || !(body->m_cfg.collisions & other->m_cfg.collisions & Collision::VF_SS)) return;
+    StopWatch watch;
     state_->softContacts.find(*body, *other);
     state_->softContacts.find(*other, *body);
+    const double took = watch.lap();
+    const bool both = mechanics && others;
+    for (SheetMechanics* const each : {mechanics, others})
+        if (each) each->times.contacts += both ? took / 2 : took;
 }
 
 void SmallStepSolver::solveConstraints(btScalar substep) {
@@ -253,6 +266,7 @@ int SmallStepSolver::State::chooseSteps() const {
 }
 
 void SmallStepSolver::State::begin(btScalar substep) {
+    StopWatch watch;
     for (const Solving& each : sheets) each.sheet->anchors.find(*each.body, solids);
     solids.begin(double(substep));
     softSheets.clear();
@@ -264,10 +278,13 @@ void SmallStepSolver::State::begin(btScalar substep) {
         if (settings.tethers)
             each.sheet->tethers.begin(*each.body, *each.mechanics, settings.stretchTolerance);
     }
+    share(&StepTimes::solver, watch.lap());
     softContacts.begin(softSheets, double(substep), steps);
+    share(&StepTimes::contacts, watch.lap());
 }
 
 void SmallStepSolver::State::smallStep(double smallStepOfWorld) {
+    StopWatch watch;
     solids.advance(smallStepOfWorld);
     softContacts.advance();
     for (const Solving& each : sheets) {
@@ -275,19 +292,31 @@ void SmallStepSolver::State::smallStep(double smallStepOfWorld) {
         each.sheet->cloth.solveCloth();
         if (settings.tethers) each.sheet->tethers.solve(each.sheet->cloth);
         each.sheet->anchors.solve(each.sheet->cloth, solids);
+        each.mechanics->times.solver += watch.lap();
     }
     softContacts.solve();
-    for (const Solving& each : sheets) each.sheet->contacts.solve(each.sheet->cloth, solids);
+    for (const Solving& each : sheets) {
+        each.sheet->contacts.solve(each.sheet->cloth, solids);
+        each.mechanics->times.contacts += watch.lap();
+    }
 }
 
 void SmallStepSolver::State::finish(btScalar substep) {
+    StopWatch watch;
     for (const Solving& each : sheets) {
         if (!each.sheet->cloth.finish(*each.body)) ++each.mechanics->heldSubsteps;
         each.mechanics->smallSteps = steps;
+        each.mechanics->times.solver += watch.lap();
         each.sheet->contacts.finish(*each.body, each.mechanics->grip, solids, double(substep));
+        each.mechanics->times.contacts += watch.lap();
     }
     solids.finish(sheets[0].body->m_worldInfo->m_dispatcher);
     softContacts.finish(softSheets);
+    share(&StepTimes::contacts, watch.lap());
+}
+
+void SmallStepSolver::State::share(double StepTimes::*stage, double seconds) {
+    for (const Solving& each : sheets) each.mechanics->times.*stage += seconds / double(sheets.size());
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

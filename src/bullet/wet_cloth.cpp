@@ -39,6 +39,14 @@ void WetCloth::clearSurface(const btCollisionObject& solid) {
     layer_->mechanics.grip.clearSurface(solid);
 }
 
+void WetCloth::setWaterSpeed(double speed) {
+    layer_->setWaterSpeed(speed);
+}
+
+double WetCloth::waterSpeed() const {
+    return layer_->waterSpeed;
+}
+
 void WetCloth::addSource(std::unique_ptr<Source> source) {
     layer_->add(std::move(source));
 }
@@ -143,6 +151,10 @@ SheetHealth WetCloth::health() const {
     const SheetMechanics& mechanics = layer_->mechanics;
     return {isFinite(body), largestStrain(body, mechanics), deepestPenetration(body),
             stepBound(),    mechanics.smallSteps,           mechanics.heldSubsteps};
+}
+
+StepTimes WetCloth::times() const {
+    return layer_->mechanics.times;
 }
 
 void WetCloth::preSubstep(btScalar dt) {

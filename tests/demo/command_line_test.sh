@@ -51,6 +51,30 @@ expect 0 'check passed' drape --headless --seconds 0.2 --resolution 12 --csv "$f
 exists "$folder/new/drape.csv" "$folder/frames/frame-000005.png" "$folder/frames/frame-000010.png" \
   "$folder/frames/contact-sheet.png"
 
+# Scene files: one runs, is saved as it is at the end, and runs on; the others say what is wrong with them.
+cat >"$folder/towel.json" <<'END'
+{"name": "towel", "weather": {"rain": 60, "windSpeed": 2},
+ "sheets": [{"name": "towel", "fabric": "linen", "nodes": [12, 12], "pins": [[0, 0], [-1, 0]]}],
+ "solids": [{"shape": "ground"}]}
+END
+expect 0 'towel_pores_g' --scene-file "$folder/towel.json" --headless --seconds 1 --save-scene "$folder/saved/wet.json"
+exists "$folder/saved/wet.json"
+grep -q '"time": 1.0' "$folder/saved/wet.json" || { echo "the saved scene has not got its time"; failed=1; }
+expect 0 'check passed' --scene-file "$folder/saved/wet.json" --headless --seconds 0.5 --frames "$folder/towel" --every 15
+exists "$folder/towel/frame-000015.png"
+expect 0 'not checked' --scene-file "$folder/towel.json" --headless --seconds 0.5 --dry --csv "$folder/dry.csv"
+tail -1 "$folder/dry.csv" | grep -q '^0.5,0,' || { echo "a dry run got wet"; failed=1; }
+expect 0 'not checked' spill --headless --seconds 3 --resolution 16 --dry
+expect 2 'resolution' --scene-file "$folder/saved/wet.json" --headless --resolution 20
+expect 2 'no such file' --scene-file "$folder/missing.json" --headless
+expect 2 'excludes' drape --scene-file "$folder/towel.json" --headless
+expect 2 'no rectangle' drape-meter --headless --seconds 0.1 --resolution 16 --save-scene "$folder/disc.json"
+expect 2 '/proc/no/scene.json' drape --headless --seconds 0.1 --resolution 8 --save-scene /proc/no/scene.json
+echo '{"sheets": [{"fabric": {"stretchWarp": -3}}]}' >"$folder/bad.json"
+expect 2 'bad.json: sheets\[0\].fabric.stretchWarp is -3; give a number, 1.0 to 1000000.0' --scene-file "$folder/bad.json" --headless
+printf '{\n "name": }' >"$folder/bad.json"
+expect 2 'line 2, column 10' --scene-file "$folder/bad.json" --headless
+
 # Stock Bullet, and the deformable world.
 for choice in '--solver stock' '--world deformable'; do
   # shellcheck disable=SC2086

@@ -91,8 +91,7 @@ class Verdict final : public Scene {
     double progress() const override { return 1; }
     std::string status() const override { return ""; }
     viewer::Picture picture() const override { return {}; }
-    std::vector<SceneSheet> sheets() override { return {}; }
-    double& windSpeed() override { return wind_; }
+    std::vector<Stage*> stages() override { return {}; }
     void report(std::ostream&) const override {}
     std::vector<std::string> failures() const override {
         return good_ ? std::vector<std::string>{} : std::vector<std::string>{"something is wrong"};
@@ -100,7 +99,6 @@ class Verdict final : public Scene {
 
   private:
     bool good_;
-    double wind_ = 0;
 };
 
 TEST(RunHeadless, ExitsWithOneWhenTheScenesCheckFails) {

@@ -34,10 +34,19 @@ viewer::Picture pictureOf(const WaterEffects& effects) {
     return picture;
 }
 
+SheetDescription sheetOf(const Eigen::Vector3d& corner, const Eigen::Vector3d& warp,
+                         const Eigen::Vector3d& weft, int nodes) {
+    SheetDescription sheet;
+    sheet.corner = corner;
+    sheet.warp = warp;
+    sheet.weft = weft;
+    sheet.nodes = {nodes, nodes};
+    return sheet;
+}
+
 TEST(WaterEffects, DropsThatLandLeaveWetPlacesThere) {
     const auto world = worldWithGround();
-    SceneCloth cloth("cloth", *world, fabrics::cottonPlain(),
-                     flatCorners({-0.2f, 0.8f, 0}, {0.4f, 0, 0}, {0, -0.4f, 0}), 9, 9);
+    SceneCloth cloth(*world, sheetOf({-0.2, 0.8, 0}, {0.4, 0, 0}, {0, -0.4, 0}, 9), 1);
     for (int i = 0; i < 9; ++i) cloth.node(i, 0).m_im = 0;
     cloth.wet().presoak(2 * fabrics::cottonPlain().poreCapacity());
     FallingDrops drops(world->world());
@@ -225,8 +234,7 @@ TEST(WaterEffects, ARoofOverTheRegionKeepsAllOfItDry) {
 
 TEST(WaterEffects, SheetsAndPoolsStopTheRain) {
     const auto world = worldWithGround();
-    SceneCloth cloth("cloth", *world, fabrics::cottonPlain(),
-                     flatCorners({-0.5f, 1, -0.5f}, {1, 0, 0}, {0, 0, 1}), 31, 31);
+    SceneCloth cloth(*world, sheetOf({-0.5, 1, -0.5}, {1, 0, 0}, {0, 0, 1}, 31), 1);
     WaterEffects effects(world->world());
     effects.setPools({{Eigen::Vector3d(0.6, 0, -1), Eigen::Vector3d(1, 0.5, 1)}});
     effects.rain(60, downwards, region(1, 3));

@@ -1,65 +1,76 @@
 #!/usr/bin/env bash
-# Opens drench-demo in a real window on a virtual display, presses keys and drags the mouse. $1: the program.
+# Opens drench-demo in a real window on a virtual display, presses keys, uses the mouse, and looks at pictures.
+# $1: the program, $2: picture_probe.
 set -u
-program=$1
-if [ "${2:-}" != inside ]; then
-  exec xvfb-run --auto-servernum --server-args='-screen 0 1400x900x24' "$0" "$program" inside
+program=$1 probe=$2
+if [ "${3:-}" != inside ]; then
+  exec xvfb-run --auto-servernum --server-args='-screen 0 1024x768x24 -noreset' "$0" "$program" "$probe" inside
 fi
-
+. "$(dirname "$0")/window_helpers.sh"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"; kill $child 2>/dev/null' EXIT
-"$program" ten-steps --resolution 16 --frames "$folder" >"$folder/stdout" 2>"$folder/stderr" &
-child=$!
 
-fail() {
-  echo "$1"
-  cat "$folder/stderr"
-  exit 1
-}
+open_window flag --resolution 16 --size 480 270
+picture
+at_least "$("$probe" spread "$shot")" 15 "the first picture is blank"
 
-# wait_for SECONDS COMMAND...: until the command succeeds.
-wait_for() {
-  local tries=$(($1 * 5))
-  shift
-  while ! "$@" >/dev/null 2>&1; do
-    kill -0 $child 2>/dev/null || fail "the program ended by itself"
-    [ $((tries -= 1)) -gt 0 ] || return 1
-    sleep 0.2
-  done
-}
+# Standing still, the picture stays the same, through resizing, hiding, and everything in the panel but water.
+xdotool key space
+sleep 0.5
+xdotool key Down # dry
+sleep 0.5
+picture
+dry=$shot
+xdotool windowsize --sync "$window" 700 400
+sleep 0.3
+xdotool windowsize --sync "$window" 20 10
+sleep 0.3
+xdotool windowunmap --sync "$window"
+sleep 0.3
+xdotool windowmap --sync "$window" windowsize --sync "$window" 480 270
+xdotool windowfocus --sync "$window"
+xdotool key F1 key Tab key F1 key Tab
+picture
+[ "$("$probe" differ "$dry" "$shot")" = 0.000 ] || fail "the scene did not survive resizing and hiding"
 
-# picture: presses F12 until one picture more is there, and names it; a loaded machine may lose a key.
-picture() {
-  local before try
-  before=$(find "$folder" -name 'screenshot-*.png' | wc -l)
-  for try in 1 2 3 4; do
-    xdotool key --window "$window" F12
-    wait_for 15 test -s "$folder/screenshot-$((before + 1)).png" && return 0
-  done
-  return 1
-}
+# Ten steps of wetting, while the sheets hang as they hung.
+for _ in 1 2 3 4 5 6 7 8 9 10; do xdotool key Up; done
+sleep 0.5
+picture
+at_least "$("$probe" differ "$dry" "$shot")" 0.5 "dry and wet look alike"
+wet=$shot
 
-wait_for 60 xdotool search --name 'Drench: ten-steps' || fail "no window came up"
-window=$(xdotool search --name 'Drench: ten-steps' | head -1)
-xdotool windowfocus "$window" 2>/dev/null
+# The view of water, and dry and wet side by side.
+xdotool key v
+sleep 0.5
+picture
+at_least "$("$probe" differ "$wet" "$shot")" 2 "the view of water looks like the beauty"
+xdotool key v key v key v key s key space
 sleep 1
+picture
+at_least "$("$probe" differ "$wet" "$shot")" 2 "the split picture looks like one"
+at_least "$("$probe" spread "$shot")" 15 "the split picture is blank"
 
-xdotool mousemove --window "$window" 500 400 mousedown 1 mousemove --window "$window" 560 380 mouseup 1
-xdotool key --window "$window" space key --window "$window" period key --window "$window" r key --window "$window" space
-picture || fail "F12 wrote no picture"
-xdotool windowsize "$window" 700 500
-sleep 1
-picture || fail "no picture after resizing"
-# A picture with nothing in it would pack to a few kilobytes.
-for file in "$folder"/screenshot-*.png; do
-  [ "$(stat -c %s "$file")" -gt 60000 ] || fail "${file##*/} is blank"
+# Orbit, pan and zoom beside the cloth, reset, steps, and the next scenes, all with the panel.
+xdotool key s
+sleep 0.5
+picture
+before=$shot
+hide_panel
+xdotool mousemove --window "$window" 240 250 mousedown 1 mousemove --window "$window" 300 200 mouseup 1
+xdotool mousedown 3 mousemove --window "$window" 280 220 mouseup 3 click 4 click 5 click 4
+xdotool key space key period key period key Right key r
+sleep 0.5
+picture
+at_least "$("$probe" differ "$before" "$shot")" 2 "the mouse does not move the camera"
+for _ in 1 2 3; do
+  xdotool key Next
+  sleep 0.7
 done
-
-for _ in $(seq 20); do
-  xdotool key --window "$window" Escape 2>/dev/null
-  for _ in $(seq 10); do
-    kill -0 $child 2>/dev/null || { wait $child; status=$?; [ $status -eq 0 ] || fail "exit status $status"; exit 0; }
-    sleep 0.2
-  done
-done
-fail "Escape did not close the window"
+xdotool key Prior
+sleep 0.7
+picture
+at_least "$("$probe" spread "$shot")" 10 "the next scene is blank"
+close_window
+grep -q 'check\|trouble\|error' "$folder/stderr" && fail "there is something on stderr"
+exit 0

@@ -1,0 +1,50 @@
+#include <imgui/imgui.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+
+#include "panel_groups.h"
+#include "scene_file.h"
+
+namespace drench::demo {
+
+namespace {
+
+void editName(std::string& file) {
+    std::array<char, 512> text{};
+    std::snprintf(text.data(), text.size(), "%s", file.c_str());
+    if (ImGui::InputText("file", text.data(), text.size())) file = text.data();
+}
+
+/// @return whether there is a scene to begin
+bool load(PanelState& state) {
+    try {
+        state.described = loadScene(state.file);
+    } catch (const std::exception& problem) {
+        state.notice = problem.what();
+        return false;
+    }
+    state.scene = state.described->name;
+    state.options.fabric.clear();
+    state.fabricChosen = false;
+    state.options.resolution = 0;
+    state.options.world = state.described->solver.world;
+    state.options.solver = state.described->solver.solver;
+    state.options.smallSteps.reset();
+    state.options.seed = state.described->seed;
+    state.notice = "read " + state.file;
+    return true;
+}
+
+}  // namespace
+
+bool showFileGroup(PanelState& state, Simulation& simulation) {
+    if (!ImGui::CollapsingHeader("scene file")) return false;
+    editName(state.file);
+    if (ImGui::Button("save")) simulation.save(state.file);
+    ImGui::SameLine();
+    return ImGui::Button("load") && load(state);
+}
+
+}  // namespace drench::demo

@@ -1,0 +1,185 @@
+// The fields of a scene file, read and written by the same code.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene_json.h"
+
+namespace drench::demo {
+
+/// From the least to the greatest value that a number may have.
+struct Range {
+    double least, most;
+};
+
+/// Names for the values of an enumeration.
+template <typename Value>
+using Names = std::vector<std::pair<std::string, Value>>;
+
+/// An object of a scene file, read key by key: what is not there leaves its value as it is. Every call throws
+/// std::invalid_argument that names the key by its path, says what is wrong with its value and what may be given.
+class FieldReader {
+  public:
+    static constexpr bool reads = true;
+
+    /// @param path  of the object; empty for the whole file
+    FieldReader(const nlohmann::json& object, std::string path);
+
+    void number(const std::string& key, double& value, const Range& range);
+    void whole(const std::string& key, int& value, int least, int most);
+    void truth(const std::string& key, bool& value);
+    void text(const std::string& key, std::string& value);
+    /// Letters, digits, blanks, - and _, so that it may be part of a file's name or a column's.
+    void name(const std::string& key, std::string& value);
+    /// A list of so many numbers; `least` is how long the vector must be.
+    template <int Size>
+    void vector(const std::string& key, Eigen::Matrix<double, Size, 1>& value, const Range& range,
+                double leastLength = 0);
+    void numbers(const std::string& key, std::vector<double>& values, const Range& range);
+    void places(const std::string& key, std::vector<Eigen::Vector3d>& values, const Range& range);
+    template <typename Value>
+    void choice(const std::string& key, Value& value, const Names<Value>& names);
+    /// Hands the fields of an object to a function, if it is there.
+    template <typename Function>
+    bool object(const std::string& key, Function function);
+    /// A list of at most 1000 objects, each handed to a function.
+    template <typename Entry, typename Function>
+    void list(const std::string& key, std::vector<Entry>& entries, Function function);
+
+    /// The value of a key in whatever form; null if it is not there.
+    const nlohmann::json* any(const std::string& key);
+    std::string pathOf(const std::string& key) const;
+    [[noreturn]] void refuse(const std::string& key, const std::string& why) const;
+    /// Refuses keys that nobody has asked for.
+    void finish() const;
+
+  private:
+    /// The number at a place in a list.
+    double numberAt(const nlohmann::json& list, std::size_t place, const std::string& key,
+                    const Range& range) const;
+    void checkList(const std::string& key, const nlohmann::json& value, const char* of) const;
+
+    const nlohmann::json& object_;
+    std::string path_;
+    std::set<std::string> known_;
+};
+
+/// The same calls write an object.
+class FieldWriter {
+  public:
+    static constexpr bool reads = false;
+
+    void number(const std::string& key, double value, const Range&) {
+        if (std::isfinite(value)) object_[key] = value;
+    }
+    void whole(const std::string& key, int value, int, int) { object_[key] = value; }
+    void truth(const std::string& key, bool value) { object_[key] = value; }
+    void text(const std::string& key, const std::string& value) { object_[key] = value; }
+    void name(const std::string& key, const std::string& value) {
+        if (!value.empty()) object_[key] = value;
+    }
+    template <int Size>
+    void vector(const std::string& key, const Eigen::Matrix<double, Size, 1>& value, const Range&,
+                double = 0) {
+        object_[key] = std::vector<double>(value.data(), value.data() + Size);
+    }
+    void numbers(const std::string& key, const std::vector<double>& values, const Range&) {
+        object_[key] = values;
+    }
+    void places(const std::string& key, const std::vector<Eigen::Vector3d>& values, const Range&);
+    template <typename Value>
+    void choice(const std::string& key, const Value& value, const Names<Value>& names) {
+        for (const auto& [name, meaning] : names)
+            if (meaning == value) object_[key] = name;
+    }
+    template <typename Function>
+    bool object(const std::string& key, Function function) {
+        FieldWriter inner;
+        function(inner);
+        object_[key] = std::move(inner.object_);
+        return true;
+    }
+    template <typename Entry, typename Function>
+    void list(const std::string& key, std::vector<Entry>& entries, Function function);
+
+    void put(const std::string& key, nlohmann::ordered_json value) { object_[key] = std::move(value); }
+    const nlohmann::ordered_json& result() const { return object_; }
+    void finish() const {}
+
+  private:
+    nlohmann::ordered_json object_ = nlohmann::ordered_json::object();
+};
+
+/// "1.5", or what kind of thing it is.
+std::string shown(const nlohmann::json& value);
+
+template <int Size>
+void FieldReader::vector(const std::string& key, Eigen::Matrix<double, Size, 1>& value, const Range& range,
+                         double leastLength) {
+    const nlohmann::json* found = any(key);
+    if (!found) return;
+    if (!found->is_array() || found->size() != std::size_t(Size))
+        refuse(key, "is " + shown(*found) + "; give a list of " + std::to_string(Size) + " numbers");
+    for (int i = 0; i < Size; ++i) value[i] = numberAt(*found, std::size_t(i), key, range);
+    if (!(value.norm() >= leastLength))
+        refuse(key, "is too short; give a vector at least " + shown(leastLength) + " long");
+}
+
+template <typename Value>
+void FieldReader::choice(const std::string& key, Value& value, const Names<Value>& names) {
+    const nlohmann::json* found = any(key);
+    if (!found) return;
+    std::string known;
+    for (const auto& [name, meaning] : names) {
+        if (*found == name) {
+            value = meaning;
+            return;
+        }
+        known += (known.empty() ? "\"" : ", \"") + name + '"';
+    }
+    refuse(key, "is " + shown(*found) + "; give one of " + known);
+}
+
+template <typename Function>
+bool FieldReader::object(const std::string& key, Function function) {
+    const nlohmann::json* found = any(key);
+    if (!found) return false;
+    FieldReader inner(*found, pathOf(key));
+    function(inner);
+    inner.finish();
+    return true;
+}
+
+template <typename Entry, typename Function>
+void FieldReader::list(const std::string& key, std::vector<Entry>& entries, Function function) {
+    const nlohmann::json* found = any(key);
+    if (!found) return;
+    constexpr std::size_t most = 1000;
+    checkList(key, *found, "objects");
+    if (found->size() > most)
+        refuse(key, "is " + shown(*found) + "; give at most " + std::to_string(most) + " objects");
+    for (std::size_t i = 0; i < found->size(); ++i) {
+        FieldReader inner((*found)[i], pathOf(key) + '[' + std::to_string(i) + ']');
+        function(inner, entries.emplace_back());
+        inner.finish();
+    }
+}
+
+template <typename Entry, typename Function>
+void FieldWriter::list(const std::string& key, std::vector<Entry>& entries, Function function) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (Entry& entry : entries) {
+        FieldWriter inner;
+        function(inner, entry);
+        list.push_back(std::move(inner.object_));
+    }
+    object_[key] = std::move(list);
+}
+
+}  // namespace drench::demo

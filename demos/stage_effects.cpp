@@ -1,0 +1,71 @@
+#include "stage_effects.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drench::demo {
+
+namespace {
+
+/// Around what the camera looks at, down to the ground; rather behind it than before it, as drops close to the eye
+/// would be as large as posts.
+Eigen::AlignedBox3d showerOf(const SceneDescription& scene) {
+    constexpr double narrowest = 1.5, widest = 6, height = 0.7,
+                     behind = 0.2;  // the last two over the half width
+    const double half = std::clamp(0.95 * double(scene.camera.distance), narrowest, widest);
+    const Eigen::Vector3d target = scene.camera.target.cast<double>(),
+                          middle = target + behind * half * scene.camera.forward().cast<double>();
+    double ground = 0;
+    for (const SolidDescription& solid : scene.solids)
+        if (solid.shape == SolidDescription::Shape::ground) ground = solid.position.y();
+    const double top = std::max(target.y(), ground) + height * half;
+    return {Eigen::Vector3d(middle.x() - half, ground, middle.z() - half),
+            Eigen::Vector3d(middle.x() + half, top, middle.z() + half)};
+}
+
+bool isBounded(const PoolDescription& pool) {
+    constexpr double widest = 1e3;  // m
+    return (pool.to - pool.from).maxCoeff() < widest;
+}
+
+}  // namespace
+
+StageEffects::StageEffects(const btCollisionWorld& world, const SceneDescription& description)
+    : world_(world), shower_(showerOf(description)) {
+    limits_.seed = description.seed;
+    limits_.streaks = 4500;
+    limits_.places = 3000;
+}
+
+void StageEffects::setPools(const std::vector<StageSource>& sources) {
+    std::vector<Eigen::AlignedBox3d> pools;
+    for (const StageSource& source : sources)
+        if (const auto* pool = std::get_if<PoolDescription>(&source.description().water);
+            pool && isBounded(*pool))
+            pools.emplace_back(Eigen::Vector3d(pool->from.x(), pool->bottom, pool->from.y()),
+                               Eigen::Vector3d(pool->to.x(), pool->level, pool->to.y()));
+    effects_->setPools(std::move(pools));
+}
+
+void StageEffects::step(double frameTime, double time, const Weather& weather,
+                        const std::vector<StageSource>& sources,
+                        const std::vector<std::unique_ptr<SceneCloth>>& sheets, const FallingDrops* drops) {
+    for (const StageSource& source : sources)
+        if (const auto nozzle = source.nozzle(time, frameTime)) nozzles_.push_back(*nozzle);
+    const bool drips = drops && (!drops->inFlight().empty() || !drops->landed().empty());
+    if (!effects_ && !drips && nozzles_.empty() && !(weather.rain > 0)) return;
+    if (!effects_) effects_ = std::make_unique<WaterEffects>(world_, limits_);
+    setPools(sources);
+    effects_->rain(weather.rain, velocityOfRain(weather), shower_);
+    for (const Nozzle& nozzle : nozzles_) effects_->spray(nozzle);
+    nozzles_.clear();
+    if (drops) effects_->follow(*drops);
+    if (sheets.empty()) return effects_->step(frameTime, Air());
+    effects_->step(frameTime, sheets.front()->wet().air(), sheets.front()->waterSpeed());
+}
+
+void StageEffects::show(viewer::Picture& picture) const {
+    if (effects_) effects_->show(picture);
+}
+
+}  // namespace drench::demo

@@ -1,0 +1,219 @@
+// A scene on a thread of its own.
+#include "simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <thread>
+
+#include "described_scene.h"
+#include "scene_file.h"
+#include "stage.h"
+
+namespace drench::demo {
+namespace {
+
+using std::chrono::steady_clock;
+
+SceneDescription hangingSheet() {
+    SceneDescription scene;
+    scene.name = "hanging";
+    scene.duration = 1;
+    SheetDescription sheet;
+    sheet.nodes = {12, 12};
+    sheet.pins = {{0, 0}, {-1, 0}};
+    sheet.saturation = 1.3;
+    scene.sheets.push_back(sheet);
+    return scene;
+}
+
+SceneRequest request(const SceneDescription& description = hangingSheet()) {
+    return {description.name,
+            [description] {
+                SceneOptions options;
+                options.fabric.clear();
+                return makeScene(description, options);
+            },
+            nullptr};
+}
+
+/// Waits up to ten seconds.
+bool comesTrue(const std::function<bool()>& condition) {
+    const auto until = steady_clock::now() + std::chrono::seconds(10);
+    while (!condition()) {
+        if (steady_clock::now() > until) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+}
+
+bool reaches(const Simulation& simulation, int frame) {
+    return comesTrue([&] { return simulation.latest() && simulation.latest()->frame >= frame; });
+}
+
+TEST(Simulation, RunsByItselfNoFasterThanTheClock) {
+    const auto start = steady_clock::now();
+    Simulation simulation(request(), {});
+    ASSERT_TRUE(reaches(simulation, 30));
+    const double took = std::chrono::duration<double>(steady_clock::now() - start).count();
+    EXPECT_GT(took, 29 * Scene::frameTime);
+    const auto snapshot = simulation.latest();
+    EXPECT_EQ(snapshot->scene, "hanging");
+    EXPECT_EQ(snapshot->sheets.size(), 1u);
+    EXPECT_EQ(snapshot->picture.sheets.size(), 1u);
+    EXPECT_GT(snapshot->times.all, 0);
+    EXPECT_TRUE(snapshot->trouble.empty());
+}
+
+TEST(Simulation, RunsAsFastAsItCanWhenTold) {
+    const auto start = steady_clock::now();
+    Simulation simulation(request(), {});
+    simulation.setSpeed(0);
+    ASSERT_TRUE(reaches(simulation, 600));
+    EXPECT_LT(std::chrono::duration<double>(steady_clock::now() - start).count(), 5);
+}
+
+TEST(Simulation, StandsStillAndStepsOnce) {
+    Simulation simulation(request(), {});
+    simulation.setPaused(true);
+    ASSERT_TRUE(comesTrue([&] { return simulation.latest() != nullptr; }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    const int frame = simulation.latest()->frame;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_EQ(simulation.latest()->frame, frame);
+    simulation.step();
+    EXPECT_TRUE(reaches(simulation, frame + 1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_EQ(simulation.latest()->frame, frame + 1);
+}
+
+TEST(Simulation, DoesWhatIsPostedInOrderAlsoWhileItStandsStill) {
+    Simulation simulation(request(), {});
+    simulation.setPaused(true);
+    simulation.post([](Scene& scene) { scene.stages()[0]->weather().windSpeed = 3; });
+    simulation.post([](Scene& scene) { scene.stages()[0]->weather().windSpeed *= 2; });
+    EXPECT_TRUE(comesTrue([&] {
+        const auto snapshot = simulation.latest();
+        return snapshot && snapshot->weather && snapshot->weather->windSpeed == 6;
+    }));
+}
+
+TEST(Simulation, TellsOfTroubleAndBeginsAnew) {
+    Simulation simulation(request(), {});
+    simulation.post([](Scene& scene) { scene.stages()[0]->weather().temperature = 1e6; });
+    ASSERT_TRUE(comesTrue([&] {
+        const auto snapshot = simulation.latest();
+        return snapshot && !snapshot->trouble.empty();
+    }));
+    EXPECT_NE(simulation.latest()->trouble.find("temperature"), std::string::npos);
+    const int run = simulation.latest()->run;
+    simulation.restart(request());
+    EXPECT_TRUE(comesTrue([&] {
+        const auto snapshot = simulation.latest();
+        return snapshot->trouble.empty() && snapshot->run == run + 1 && snapshot->frame > 5;
+    }));
+}
+
+TEST(Simulation, GoesOnAfterACommandThatFails) {
+    Simulation simulation(request(), {});
+    simulation.post([](Scene&) { throw std::runtime_error("the disk is full"); });
+    ASSERT_TRUE(comesTrue([&] {
+        const auto snapshot = simulation.latest();
+        return snapshot && snapshot->notice == "the disk is full";
+    }));
+    EXPECT_TRUE(reaches(simulation, simulation.latest()->frame + 5));
+    EXPECT_TRUE(simulation.latest()->trouble.empty());
+}
+
+TEST(Simulation, HasADryTwinOfItsOwn) {
+    SceneRequest both = request();
+    both.makeTwin = [] {
+        SceneOptions options;
+        options.fabric.clear();
+        options.water = false;
+        return makeScene(hangingSheet(), options);
+    };
+    Simulation simulation(both, {});
+    ASSERT_TRUE(reaches(simulation, 20));
+    const auto snapshot = simulation.latest();
+    ASSERT_TRUE(snapshot->dryPicture.has_value());
+    EXPECT_LT(snapshot->picture.sheets[0].albedo[50].x(),
+              0.95f * snapshot->dryPicture->sheets[0].albedo[50].x());
+}
+
+TEST(Simulation, SavesTheSceneAsItIs) {
+    const auto file = std::filesystem::temp_directory_path() / "drench-simulation-test.json";
+    Simulation simulation(request(), {});
+    ASSERT_TRUE(reaches(simulation, 10));
+    simulation.save(file);
+    ASSERT_TRUE(comesTrue([&] { return simulation.latest()->notice == "wrote " + file.string(); }));
+    const SceneDescription saved = loadScene(file);
+    EXPECT_EQ(saved.name, "hanging");
+    EXPECT_GT(saved.time, 9 * Scene::frameTime);
+    ASSERT_EQ(saved.sheets.size(), 1u);
+    EXPECT_TRUE(saved.sheets[0].state.has_value());
+    simulation.save("/proc/no/such.json");
+    EXPECT_TRUE(comesTrue(
+        [&] { return simulation.latest()->notice.find("/proc/no/such.json") != std::string::npos; }));
+    std::filesystem::remove(file);
+}
+
+TEST(Simulation, TellsWhyASceneCannotBeMade) {
+    Simulation simulation(
+        {"none", []() -> std::unique_ptr<Scene> { throw std::invalid_argument("no cloth"); }, nullptr}, {});
+    EXPECT_TRUE(comesTrue([&] {
+        const auto snapshot = simulation.latest();
+        return snapshot && snapshot->trouble == "no cloth";
+    }));
+    simulation.restart(request());
+    EXPECT_TRUE(reaches(simulation, 2));
+}
+
+TEST(Simulation, WaitsForAFilmAndSkipsNoFrame) {
+    Simulation simulation(request(), {});
+    simulation.setSpeed(0);
+    simulation.setFilmed(true);
+    int last = -1;
+    for (int seen = 0; seen < 40;) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        for (const Keepsake& keepsake : simulation.takeKeepsakes()) {
+            EXPECT_TRUE(keepsake.filmed);
+            if (last >= 0) {
+                EXPECT_EQ(keepsake.snapshot->frame, last + 1);
+            }
+            last = keepsake.snapshot->frame;
+            ++seen;
+        }
+    }
+    EXPECT_LT(simulation.latest()->frame, last + 10);
+}
+
+TEST(Simulation, PlaysOnAfterTheEndOfTheScene) {
+    testing::internal::CaptureStdout();
+    Simulation simulation(request(), {});
+    simulation.setSpeed(0);
+    EXPECT_TRUE(reaches(simulation, 90));
+    EXPECT_TRUE(simulation.latest()->ended);
+    EXPECT_NE(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST(Simulation, EndsInTheMidstOfEverything) {
+    for (int i = 0; i < 20; ++i) {
+        Simulation simulation(request(), {});
+        Pointer pointer;
+        pointer.pressed = true;
+        pointer.ray = {{0, 1, 3}, {0, 0, -1}};
+        simulation.setPointer(pointer);
+        for (int k = 0; k < i; ++k)
+            simulation.post([](Scene& scene) { scene.sheets()[0].cloth->soak(0.01); });
+        if (i % 3 == 0) simulation.setPaused(true);
+        if (i % 4 == 0) simulation.restart(request());
+        std::this_thread::sleep_for(std::chrono::milliseconds(i));
+    }
+}
+
+}  // namespace
+}  // namespace drench::demo
