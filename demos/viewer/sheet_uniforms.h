@@ -22,7 +22,7 @@ struct SheetUniforms {
 };
 
 // The block of a sheet; its values are shown where there are any and a legend says what they mean. Only sheets that are
-// rectangles in material coordinates have a hem.
+// rectangles in material coordinates, and no narrow strips, have a hem.
 SheetUniforms sheetUniforms(const SheetMesh& sheet, const std::optional<Legend>& legend);
 
 }  // namespace drench::viewer

@@ -166,6 +166,9 @@ TEST(SheetUniforms, OnlyRectanglesHaveAHem) {
     sheet.clothCoordinates = {{0, 0}, {1, 0}, {1, 2}, {0, 2}};
     sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
     EXPECT_FLOAT_EQ(viewer::sheetUniforms(sheet, std::nullopt).threading[2], 0.015f);
+    for (Eigen::Vector2f& at : sheet.clothCoordinates) at.x() *= 0.1f;
+    EXPECT_EQ(viewer::sheetUniforms(sheet, std::nullopt).threading[2], 0.0f);
+    for (Eigen::Vector2f& at : sheet.clothCoordinates) at.x() *= 10.0f;
     sheet.triangles.pop_back();
     EXPECT_EQ(viewer::sheetUniforms(sheet, std::nullopt).threading[2], 0.0f);
     sheet.clothCoordinates.clear();
