@@ -15,8 +15,8 @@ class SheetCells {
   public:
     explicit SheetCells(const btSoftBody& sheet);
 
-    /// The share of the way from one place to another after which it meets the sheet, to within a cell; none if it
-    /// does not.
+    /// The share of the way from one place to another after which it meets the sheet, to within a cell; none
+    /// if it does not.
     std::optional<double> firstMet(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
     /// Of the grid, m: about the length of a link, or more for a sheet that spans far more than its links.
     double cellSize() const { return size_; }

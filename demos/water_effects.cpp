@@ -23,6 +23,7 @@ constexpr double farDown = 100;         // m, that rain falls below its region t
 constexpr double shelterAbove = 30;     // m, up to which a roof over the region keeps the rain off
 constexpr double sprayLife = 1.5;       // s
 constexpr double finestDrop = 0.6e-3;   // m, up to which a drop of a spray is no more than a streak
+constexpr std::int64_t mostTogether = 4;
 constexpr double dropsPerSecond = 900;  // that stand for the water of a nozzle
 constexpr double patchLength = 0.5;     // m, of a wet place along the air, for its drying
 
@@ -100,7 +101,7 @@ void WaterEffects::spray(const Nozzle& nozzle) {
 
 void WaterEffects::follow(const FallingDrops& drops) {
     falling_.clear();
-    const double frame = 1.0 / 60;
+    constexpr double frame = 1.0 / 60;  // s
     for (const FallingDrops::Flight& flight : drops.inFlight()) {
         if (falling_.size() >= limits_.drops) break;
         if (const Eigen::AlignedBox3d* const pool = poolRound(flight.position)) {
@@ -109,7 +110,11 @@ void WaterEffects::follow(const FallingDrops& drops) {
                 splash({flight.position.x(), pool->max().y(), flight.position.z()}, flight.velocity.norm());
             continue;
         }
-        falling_.push_back(seen(flight.position, flight.velocity, radiusOf(flight.mass)));
+        // Drops that fall together come one behind the other, as a thread of water does.
+        const auto together = std::min<std::int64_t>(flight.count, mostTogether);
+        for (std::int64_t i = 0; i < together && falling_.size() < limits_.drops; ++i)
+            falling_.push_back(seen(flight.position - frame * double(i) / double(together) * flight.velocity,
+                                    flight.velocity, radiusOf(flight.mass)));
     }
     for (const FallingDrops::Landing& landing : drops.landed()) {
         if (poolRound(landing.position) != nullptr) continue;
@@ -198,8 +203,8 @@ void WaterEffects::beginRain(double frameTime) {
         if (rain_.size() < limits_.streaks) beginDrop(massPerTime * fallTime / number, random(0, frameTime));
 }
 
-/// A drop that crosses the region somewhere, unless a roof above keeps it off; it began `age` seconds ago, lest drops
-/// fall in ranks.
+/// A drop that crosses the region somewhere, unless a roof above keeps it off; it began `age` seconds ago,
+/// lest drops fall in ranks.
 void WaterEffects::beginDrop(double mass, double age) {
     const Eigen::Vector3d low = shower_.region.min(), high = shower_.region.max();
     const Eigen::Vector3d& velocity = shower_.velocity;

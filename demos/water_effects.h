@@ -34,26 +34,28 @@ class WaterEffects {
     /// @throws std::invalid_argument for no room for any wet place
     explicit WaterEffects(const btCollisionWorld& world, const WaterEffectsLimits& limits = {});
 
-    /// Lets it rain through a region from now on, as dense as rain of that intensity is (Marshall & Palmer 1948), as
-    /// far as the limits allow; what is on its way falls on.
+    /// Lets it rain through a region from now on, as dense as rain of that intensity is (Marshall & Palmer
+    /// 1948), as far as the limits allow; what is on its way falls on.
     /// @param intensity  mm/h, at least 0; 0 ends it
     /// @param velocity   of the drops, m/s, downwards
     /// @param region     from where drops begin to be seen down to where none falls on
-    /// @throws std::invalid_argument for what is out of range, not finite or not downwards, or an empty region
+    /// @throws std::invalid_argument for what is out of range, not finite or upwards, and an empty region
     void rain(double intensity, const Eigen::Vector3d& velocity, const Eigen::AlignedBox3d& region);
     /// Sprays during the next step; call it for each nozzle before each step.
     /// @throws std::invalid_argument for what is out of range or not finite
     void spray(const Nozzle& nozzle);
     /// Shows drops as they are now, and what landed in their last step; call it after each of their steps.
     void follow(const FallingDrops& drops);
-    /// Says where water stands: drops splash on its surface and are not seen below. Replaces what was said before.
+    /// Says where water stands: drops splash on its surface and are not seen below. Replaces what was said
+    /// before.
     void setPools(std::vector<Eigen::AlignedBox3d> pools) { pools_ = std::move(pools); }
 
     /// Moves everything by one frame; call it after the world's step.
     /// @param frameTime   s, at least 0
     /// @param air         dries the wet places, and carries the mist
     /// @param waterSpeed  how much faster than the clock they dry
-    /// @throws std::invalid_argument for a frame time or speed that is negative or not finite, and for air out of range
+    /// @throws std::invalid_argument for a frame time or speed that is negative or not finite, and for such air
+    /// as `validate` refuses
     void step(double frameTime, const Air& air, double waterSpeed = 1);
 
     /// Adds all that there is to see.

@@ -10,7 +10,8 @@
 
 namespace drench::demo {
 
-/// Thin layers of water on bodies, round by and large, that move and turn with what they are on. Only for the eye.
+/// Thin layers of water on bodies, round by and large, that move and turn with what they are on. Only for the
+/// eye.
 class WetPlaces {
   public:
     /// Water that a body holds before it spreads or runs off, kg/m2: a layer of 0.15 mm (assumed).

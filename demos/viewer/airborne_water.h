@@ -16,8 +16,8 @@ class AirborneWater {
     // Replaces what there is; leaves out what is not finite or has no size.
     void upload(const Picture& picture);
     bool empty() const { return drops_.empty() && streaks_.empty() && puffs_.empty(); }
-    // Draws all into the current framebuffer. The frame's uniforms, the shadow map and the colour and the depth of the
-    // scene must be bound.
+    // Draws all into the current framebuffer. The frame's uniforms, the shadow map and the colour and the
+    // depth of the scene must be bound.
     void draw() const;
 
   private:

@@ -8,8 +8,8 @@
 
 namespace drench::viewer {
 
-// A list of instances of `Size` vectors each, which a vertex shader reads at the locations 0, 1, ... and makes a
-// quad of, corner by corner from gl_VertexID.
+// A list of instances of `Size` vectors each, which a vertex shader reads at the locations 0, 1, ... and
+// makes a quad of, corner by corner from gl_VertexID.
 template <std::size_t Size>
 class InstancedQuads {
   public:

@@ -30,7 +30,8 @@ struct SheetMesh {
     std::vector<float> dampness;
     // Share of the light that passes through each node, 0 to 1; as many as positions, or empty for none.
     std::vector<float> transmittance;
-    // Where each node lies in the flat cloth, metres, for its threads; as many as positions, or empty for none.
+    // Where each node lies in the flat cloth, metres, for its threads; as many as positions, or empty for
+    // none.
     std::vector<Eigen::Vector2f> clothCoordinates;
     Weave weave = Weave::plain;
     // From one thread to the next, above 0.
@@ -78,8 +79,8 @@ struct Box {
     Material material = Material::stone;
 };
 
-// Standing water: a box along the axes of the world, as in a tank of clear glass, with a rippled level surface.
-// What is in it is seen through it; it casts no shadow. One water is not seen through another.
+// Standing water: a box along the axes of the world, as in a tank of clear glass, with a rippled level
+// surface. What is in it is seen through it; it casts no shadow. One water is not seen through another.
 struct Water {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
     // Half its length along each axis, above 0; water without volume is left out.
@@ -116,7 +117,8 @@ struct MistPuff {
     float density = 0.1f;
 };
 
-// A wet place on the ground or on a ball, rod or box: what lies within the radius is wet, with an uneven edge.
+// A wet place on the ground or on a ball, rod or box: what lies within the radius is wet, with an uneven
+// edge.
 struct WetPatch {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
     // Above 0.
@@ -180,8 +182,8 @@ struct Picture {
     std::vector<Streak> streaks;
     std::vector<MistPuff> mist;
     std::vector<WetPatch> patches;
-    // Height of the level ground, a terrace of flagstones (10 rows of 0.5 m, 0.7 m long each) in a lawn; it is seen
-    // from above only.
+    // Height of the level ground, a terrace of flagstones (10 rows of 0.5 m, 0.7 m long each) in a lawn; it
+    // is seen from above only.
     float groundHeight = 0.0f;
     // Points from the scene to the sun; any length above 0.
     Eigen::Vector3f towardsSun = Eigen::Vector3f(-0.62f, 0.75f, 0.50f);

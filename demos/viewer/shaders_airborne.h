@@ -75,7 +75,8 @@ flat in float sun;
 flat in float slimness;
 out vec4 colour;
 
-// The finished picture in a direction from the drop; what it does not show is the light of the sky and the ground.
+// The finished picture in a direction from the drop; what it does not show is the light of the sky and the
+// ground.
 vec3 lookedUp(vec3 direction) {
     const float reach = 1.2;
     vec4 clip = clipFromWorld * vec4(centre + reach * direction, 1.0);
@@ -97,7 +98,8 @@ void main() {
         discard;
     }
     float towards = sqrt(max(1.0 - out2, 0.0));
-    vec3 normal = normalize(onDrop.x * across + slimness * onDrop.y * along + max(towards, 0.02) * towardsEye);
+    vec3 sideways = onDrop.x * across + slimness * onDrop.y * along;
+    vec3 normal = normalize(sideways + max(towards, 0.02) * towardsEye);
     vec3 inwards = refract(-towardsEye, normal, 1.0 / 1.33);
     vec3 farSide = normalize(normal - 2.0 * dot(normal, inwards) * inwards);
     vec3 outwards = refract(inwards, farSide, 1.33);
@@ -136,7 +138,8 @@ void main() {
 }
 )";
 
-// Drops of rain show a picture of most of the sky, wherever they are: pale against what is dark, dark against the sky.
+// Drops of rain show a picture of most of the sky, wherever they are: pale against what is dark, dark against
+// the sky.
 inline constexpr char streakFragment[] = R"(
 in vec2 onStreak;
 flat in float opacity;
@@ -199,7 +202,7 @@ void main() {
     float reach = ball.w * sqrt(inside);
     float open = clamp(0.5 + 0.5 * beforeSolid / max(reach, 1e-5), 0.0, 1.0);
     // Clouds are uneven, and fade out at their rims.
-    float uneven = 1.0 + 1.1 * valueNoise(2.2 * onPuff + 40.0 * ball.xz) + 0.6 * valueNoise(5.0 * onPuff + 40.0 * ball.yx);
+    float uneven = 1.0 + 1.2 * valueNoise(11.0 * position) + 0.7 * valueNoise(27.0 * position);
     float optical = -log(1.0 - min(thickness, 0.98)) * inside * inside * max(uneven, 0.0) * open;
 
     vec3 away = normalize(position - eye.xyz);

@@ -46,10 +46,10 @@ Soil paving(vec2 at, float pixel) {
     float stains = layeredNoise(1.6 * at + 3.0 * tone, 1.6 * pixel);
     float grain = layeredNoise(60.0 * at, 60.0 * pixel);
     float pits = layeredNoise(21.0 * at + 17.0 * tone, 21.0 * pixel);
-    float pores = smoothstep(0.22, 0.40, valueNoise(150.0 * at)) * (1.0 - smoothstep(0.002, 0.006, pixel));
+    float pores = smoothstep(0.18, 0.42, valueNoise(330.0 * at)) * (1.0 - smoothstep(0.0012, 0.003, pixel));
     const vec3 grey = vec3(0.265, 0.262, 0.248), warm = vec3(0.285, 0.258, 0.212);
     vec3 stoneAlbedo = mix(grey, warm, 0.5 + 0.9 * latticeValue(slab + 31.0));
-    stoneAlbedo *= 1.0 + 0.16 * tone + 0.16 * stains + 0.20 * grain + 0.12 * pits - 0.30 * pores;
+    stoneAlbedo *= 1.0 + 0.16 * tone + 0.16 * stains + 0.20 * grain + 0.12 * pits - 0.22 * pores;
     vec3 sand = vec3(0.115, 0.105, 0.078) * (1.0 + 0.3 * grain);
     float rounded = smoothstep(0.0, 0.02, edge) * (1.0 - smoothstep(0.004, 0.02, pixel));
     return Soil(mix(stoneAlbedo, sand, joint), 0.0016 * rounded + 0.0007 * grain + 0.0010 * pits);
@@ -60,7 +60,8 @@ Soil lawn(vec2 at, float pixel) {
     float patches = layeredNoise(0.35 * at, 0.35 * pixel);
     float tufts = layeredNoise(11.0 * at, 11.0 * pixel);
     float blades = layeredNoise(90.0 * at, 90.0 * pixel);
-    vec3 grass = mix(vec3(0.080, 0.115, 0.034), vec3(0.150, 0.165, 0.060), 0.5 + 0.5 * patches + 0.25 * tufts);
+    const vec3 dark = vec3(0.080, 0.115, 0.034), pale = vec3(0.150, 0.165, 0.060);
+    vec3 grass = mix(dark, pale, 0.5 + 0.5 * patches + 0.25 * tufts);
     return Soil(grass * (1.0 + 0.35 * tufts + 0.45 * blades), 0.004 * tufts + 0.002 * blades);
 }
 

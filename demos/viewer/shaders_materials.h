@@ -18,7 +18,8 @@ vec3 wetAlbedo(vec3 dry, float wet) {
     return mix(dry, dry / (index2 * (1.0 - dry) + dry), wet);
 }
 
-// A film of water has the shine of water, and fills what is rough; a damp place is dark already, but not yet shiny.
+// A film of water has the shine of water, and fills what is rough; a damp place is dark already, but not yet
+// shiny.
 void makeWet(inout Surface s, float wet) {
     float film = wet * wet * wet;
     s.albedo = wetAlbedo(s.albedo, wet);
@@ -38,8 +39,8 @@ vec3 bumped(vec3 position, vec3 normal, float height) {
 }
 )";
 
-// The materials of picture.h, by their numbers. A place `at` is in metres in the frame of the solid, x along the
-// grain, y across it, z through the thickness.
+// The materials of picture.h, by their numbers. A place `at` is in metres in the frame of the solid, x along
+// the grain, y across it, z through the thickness.
 inline constexpr char solidMaterials[] = R"(
 const int paint = 0, wood = 1, metal = 2, stone = 3, rope = 4;
 
@@ -53,7 +54,8 @@ struct Finish {
 
 Finish woodFinish(vec3 at, vec3 albedo, float pixel) {
     const float ringWidth = 0.008;
-    float bent = 0.008 * valueNoise(at * vec3(1.7, 14.0, 14.0)) + 0.02 * valueNoise(at * vec3(0.9, 3.0, 3.0) + 5.0);
+    float bent = 0.008 * valueNoise(at * vec3(1.7, 14.0, 14.0));
+    bent += 0.02 * valueNoise(at * vec3(0.9, 3.0, 3.0) + 5.0);
     float fromPith = (length(at.yz - vec2(0.043, 0.031)) + bent) / ringWidth;
     // Years differ.
     float rings = fromPith + 1.3 * valueNoise(vec2(0.55 * fromPith, 1.0));
@@ -65,20 +67,22 @@ Finish woodFinish(vec3 at, vec3 albedo, float pixel) {
     float fibres = layeredNoise(at * vec3(9.0, 420.0, 420.0), 420.0 * pixel);
     vec3 tone = mix(albedo * 1.15, albedo * vec3(0.62, 0.54, 0.46), late);
     float weathered = valueNoise(at * vec3(1.3, 19.0, 19.0) + 9.0);
-    tone *= 1.0 + 0.45 * streaks + 0.40 * weathered + 0.30 * fibres;
+    tone *= 1.0 + 0.75 * streaks + 0.55 * weathered + 0.35 * fibres;
     return Finish(tone, 0.04, 0.55 + 0.15 * late, 1.5e-4 * (fibres - 0.4 * late));
 }
 
 Finish stoneFinish(vec3 at, vec3 albedo, float pixel) {
     float mottled = layeredNoise(6.0 * at, 6.0 * pixel);
     float grains = layeredNoise(170.0 * at, 170.0 * pixel);
-    return Finish(albedo * (1.0 + 0.20 * mottled + 0.32 * grains), 0.03, 0.85, 6e-4 * grains + 1e-3 * mottled);
+    float height = 6e-4 * grains + 1e-3 * mottled;
+    return Finish(albedo * (1.0 + 0.20 * mottled + 0.32 * grains), 0.03, 0.85, height);
 }
 
 Finish metalFinish(vec3 at, vec3 albedo, float pixel) {
     float brushed = layeredNoise(at * vec3(8.0, 500.0, 500.0), 500.0 * pixel);
     float dull = layeredNoise(11.0 * at, 11.0 * pixel);
-    return Finish(mix(albedo, vec3(1.0), 0.12) * (1.0 + 0.08 * brushed), 0.6, 0.30 + 0.10 * dull, 3e-5 * brushed);
+    vec3 tint = mix(albedo, vec3(1.0), 0.12) * (1.0 + 0.08 * brushed);
+    return Finish(tint, 0.6, 0.30 + 0.10 * dull, 3e-5 * brushed);
 }
 
 Finish paintFinish(vec3 at, vec3 albedo, float pixel) {
@@ -113,7 +117,8 @@ vec3 shadedMetal(Surface s) {
     vec3 sun = sunLight * sunVisible(s.position, s.normal) * facingSun;
     vec3 mirrored = mirroredLight(reflect(-towardsEye, s.normal), s.roughness);
     vec3 scattered = 0.25 * (ambientLight(s.normal) + sun);
-    return s.albedo * ((0.75 * mirrored + scattered) * s.openness + sun * sunGlint(s, towardsEye, facingSun, facingEye));
+    vec3 glint = sun * sunGlint(s, towardsEye, facingSun, facingEye);
+    return s.albedo * ((0.75 * mirrored + scattered) * s.openness + glint);
 }
 
 vec3 shadedSolid(int material, Finish finish, vec3 position, vec3 normal, float openness) {

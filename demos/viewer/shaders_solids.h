@@ -44,7 +44,8 @@ flat in vec3 albedo;
 flat in int material;
 out vec4 colour;
 
-// How far a place is inside the six panels and the two caps that are dark, as a share of the radius; below 0 outside.
+// How far a place is inside the six panels and the two caps that are dark, as a share of the radius; below 0
+// outside.
 float insideDark(vec3 at) {
     // The sine of three times the longitude, without the seam that an angle has.
     float wave = at.z * (3.0 * at.x * at.x - at.z * at.z);
@@ -164,8 +165,8 @@ vec3 byLength(vec3 at, vec3 sides) {
     return sides.y >= sides.z ? at : at.xzy;
 }
 
-// A wide box is made of boards. Moves `at` into a piece of wood of its own for each, and tells how light that is and
-// how much of the pixel is joint.
+// A wide box is made of boards. Moves `at` into a piece of wood of its own for each, and tells how light that
+// is and how much of the pixel is joint.
 void findBoard(inout vec3 at, vec3 sides, out float lightness, out float joint) {
     const float widest = 0.14, halfJoint = 0.0022;
     float side = byLength(sides, sides).y;
@@ -177,7 +178,8 @@ void findBoard(inout vec3 at, vec3 sides, out float lightness, out float joint) 
     float covered = clamp((halfJoint + 0.5 * pixel - min(within, width - within)) / pixel, 0.0, 1.0);
     joint = count > 1.5 ? covered * min(2.0 * halfJoint / pixel, 1.0) : 0.0;
     lightness = 1.0 + 0.25 * latticeValue(vec2(board, 7.0));
-    at = vec3(at.x + 1.7 * board, within - 0.5 * width + 0.06 * latticeValue(vec2(board, 3.0)), at.z + 0.03 * board);
+    float shift = 0.06 * latticeValue(vec2(board, 3.0));
+    at = vec3(at.x + 1.7 * board, within - 0.5 * width + shift, at.z + 0.03 * board);
 }
 
 void main() {

@@ -43,7 +43,8 @@ uniform sampler2D sceneDepth;
 const vec3 absorption = vec3(0.75, 0.30, 0.24);
 const vec3 scattered = vec3(0.10, 0.17, 0.19);
 
-// The surface is a sum of waves that run in all directions: their wave numbers, 1/m, and how fast their phases turn.
+// The surface is a sum of waves that run in all directions: their wave numbers, 1/m, and how fast their
+// phases turn.
 const int waveCount = 7;
 const vec3 waves[waveCount] = vec3[](vec3(21.0, 11.0, 1.9), vec3(-17.0, 27.0, -2.3), vec3(36.0, -14.0, 2.6),
                                      vec3(9.0, 47.0, -2.9), vec3(-52.0, -19.0, 3.1), vec3(41.0, 49.0, 3.4),
@@ -51,10 +52,14 @@ const vec3 waves[waveCount] = vec3[](vec3(21.0, 11.0, 1.9), vec3(-17.0, 27.0, -2
 // All waves are equally steep.
 const float steepness = 0.011;
 
+float phase(int wave, vec2 at) {
+    return dot(waves[wave].xy, at) + waves[wave].z * time + float(wave * wave);
+}
+
 vec2 slope(vec2 at) {
     vec2 sum = vec2(0.0);
     for (int i = 0; i < waveCount; ++i) {
-        sum += waves[i].xy / length(waves[i].xy) * cos(dot(waves[i].xy, at) + waves[i].z * time + float(i * i));
+        sum += normalize(waves[i].xy) * cos(phase(i, at));
     }
     return steepness * sum;
 }
@@ -89,7 +94,8 @@ bool inWater(vec3 place) {
     return all(lessThan(abs(place - centre), extents + 0.01));
 }
 
-// How far along a way from here a place is hidden first, between one that is not and one that is, as shares of the way.
+// How far along a way from here a place is hidden first, between one that is not and one that is, as shares
+// of the way.
 float firstHidden(vec3 way, float from, float to) {
     for (int i = 0; i < 6; ++i) {
         float middle = 0.5 * (from + to);
@@ -124,8 +130,8 @@ float firstMet(vec3 way) {
     return 1.0;
 }
 
-// Light that the waves gather where they are hollow and spread where they are round, as a factor on that of the sun
-// and the sky: where rays that came in side by side arrive, and how much closer they are then.
+// Light that the waves gather where they are hollow and spread where they are round, as a factor on that of
+// the sun and the sky: where rays that came in side by side arrive, and how much closer they are then.
 float caustics(vec3 place, float down) {
     // Waves in a tank are lower than those that throw lines as sharp as one knows them.
     float bend = 6.0 * 0.25 * down;
@@ -136,7 +142,7 @@ float caustics(vec3 place, float down) {
     }
     mat2 curvature = mat2(0.0);
     for (int i = 0; i < waveCount; ++i) {
-        float along = -sin(dot(waves[i].xy, at) + waves[i].z * time + float(i * i)) / length(waves[i].xy);
+        float along = -sin(phase(i, at)) / length(waves[i].xy);
         curvature += along * outerProduct(waves[i].xy, waves[i].xy);
     }
     float spread = abs(determinant(mat2(1.0) - bend * steepness * curvature));
@@ -168,7 +174,8 @@ ivec2 clearPixelOf(vec3 place) {
     return pixel;
 }
 
-// Where water meets glass it climbs up a little and catches light: 1 there, 0 elsewhere, averaged over the pixel.
+// Where water meets glass it climbs up a little and catches light: 1 there, 0 elsewhere, averaged over the
+// pixel.
 float meniscus() {
     const float width = 0.0025;
     vec2 fromGlass = max(extents.xz - abs(position.xz - centre.xz), 0.0);
@@ -177,7 +184,8 @@ float meniscus() {
     return width / blurred * exp(-min(fromGlass.x, fromGlass.y) / blurred);
 }
 
-// What the surface mirrors: solids and sheets where the picture shows them, else sky and ground. Already tone mapped.
+// What the surface mirrors: solids and sheets where the picture shows them, else sky and ground. Already tone
+// mapped.
 vec3 mirroredScene(vec3 direction, float roughness) {
     const int steps = 32;
     const float reach = 1.6;

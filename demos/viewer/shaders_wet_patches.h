@@ -49,7 +49,8 @@ void main() {
     vec4 point = worldFromScreen * vec4(vec3(gl_FragCoord.xy / size, depth) * 2.0 - 1.0, 1.0);
     vec3 within = turnedBack(point.xyz / point.w - ball.xyz, turn) / ball.w;
     vec3 shape = within + 61.0 * kind.y;
-    float uneven = 0.75 * valueNoise(1.9 * shape) + 0.40 * valueNoise(4.6 * shape) + 0.15 * valueNoise(12.0 * shape);
+    float uneven = 0.75 * valueNoise(1.9 * shape) + 0.40 * valueNoise(4.6 * shape);
+    uneven += 0.15 * valueNoise(12.0 * shape);
     float outwards = length(within) * max(1.12 + uneven, 0.8);
     float wet = kind.x * (1.0 - smoothstep(0.45, 1.03, outwards));
     colour = vec4(wet);

@@ -10,7 +10,8 @@
 
 namespace drench::viewer {
 
-// A map of the wet patches as the camera sees them, one value for each pixel, which the shaders of solids look up.
+// A map of the wet patches as the camera sees them, one value for each pixel, which the shaders of solids
+// look up.
 class WetPatches {
   public:
     // Throws std::runtime_error when the driver refuses a shader.

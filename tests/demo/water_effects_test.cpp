@@ -273,7 +273,8 @@ TEST(WaterEffects, ASprayStaysInItsConeAndWetsWhatItMeets) {
         EXPECT_LT(std::abs(patch.centre.x()), 1.05 * std::tan(0.2));
     }
     EXPECT_GT(onWall, 0);
-    // All that has left the nozzle and is not in the air any more is on the wall, until there is too much of it.
+    // All that has left the nozzle and is not in the air any more is on the wall, until there is too much of
+    // it.
     EXPECT_LE(effects.places().mass(), nozzle.rate * 1.0);
     EXPECT_EQ(wall.getWorldTransform().getOrigin().x(), 0);
 }
