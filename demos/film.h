@@ -11,7 +11,8 @@
 
 namespace drench::demo {
 
-/// Draws frames off screen and records them. Should ffmpeg fail on the way, it says so on stderr, and the run goes on.
+/// Draws frames off screen and records them. Should ffmpeg fail on the way, it says so on stderr, and the run
+/// goes on.
 class Film {
   public:
     /// @param every  of the simulated frames, 1/60 s each, are shown, so that the film runs in time

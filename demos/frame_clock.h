@@ -5,7 +5,8 @@
 
 namespace drench::demo {
 
-/// Frames at an even pace of wall time. One that comes late is not made up for, so that nothing runs after a pause.
+/// Frames at an even pace of wall time. One that comes late is not made up for, so that nothing rushes after a
+/// pause.
 class FrameClock {
   public:
     using Clock = std::chrono::steady_clock;

@@ -8,10 +8,10 @@
 
 namespace drench::demo {
 
-/// Holds the nodes around a point of a sheet and takes them along with the pointer, in the plane through that point that
-/// faces the camera. Held nodes are pins meanwhile, so that it is alike with any solver. The hand follows at 6 m/s at
-/// most, stops at solids, and gives way when the links around it are strained by a quarter, so it cannot tear cloth off
-/// its pegs or blow it up, wherever the mouse jumps.
+/// Holds the nodes around a point of a sheet and takes them along with the pointer, in the plane through that
+/// point that faces the camera. Held nodes are pins meanwhile, so that it is alike with any solver. The hand
+/// follows at 6 m/s at most, stops at solids, and gives way when the links around it are strained by a
+/// fifth, so it cannot tear cloth off its pegs or blow it up, wherever the mouse jumps.
 class Grasp {
   public:
     /// Takes hold. Nodes that are pinned already stay where they are.

@@ -11,7 +11,8 @@
 
 namespace drench::demo {
 
-/// Drags cloth, sprays water at it, or dabs it dry, frame by frame. It does nothing to a scene while the button is up.
+/// Drags cloth, sprays water at it, or dabs it dry, frame by frame. It does nothing to a scene while the
+/// button is up.
 class Hand {
   public:
     /// Does what the pointer says in the frame that comes, s.
@@ -35,8 +36,8 @@ class Hand {
     std::optional<Nozzle> nozzle_;
 };
 
-/// Takes water off a sheet within 6 cm of a point for `time` s, as an absorbent towel does: film within a tenth of a
-/// second or so, pore water in half a second. The water is returned in an account named "towel".
+/// Takes water off a sheet within 6 cm of a point for `time` s, as an absorbent towel does: film within a
+/// tenth of a second or so, pore water in half a second. The water is returned in an account named "towel".
 void dabDry(WetCloth& cloth, const btSoftBody& body, const btVector3& point, double time);
 
 }  // namespace drench::demo

@@ -16,8 +16,8 @@ class Panel {
     /// @param renderer  what OpenGL draws with, as the driver names it
     explicit Panel(const std::string& renderer);
 
-    /// Shows the panel, if the state wants it, and what must be seen in any case. Changes that do not need a new scene are
-    /// posted to the simulation at once.
+    /// Shows the panel, if the state wants it, and what must be seen in any case. Changes that do not need a
+    /// new scene are posted to the simulation at once.
     /// @return whether the scene is to begin anew, as the state says
     bool show(const Snapshot& snapshot, PanelState& state, Simulation& simulation);
     /// Notes how long the last picture took to draw, s.

@@ -27,11 +27,13 @@ struct Keepsake {
     bool filmed = false;  ///< part of the film
 };
 
-/// Owns a scene and steps it, no faster than 60 frames a second of wall time unless told so. What the user does is
-/// applied between two frames. Nobody who looks on makes it wait, except for pictures that have to be kept.
+/// Owns a scene and steps it, no faster than 60 frames a second of wall time unless told so. What the user
+/// does is applied between two frames. Nobody who looks on makes it wait, except for pictures that have to be
+/// kept.
 ///
-/// What goes wrong on the thread stops the scene, and stands in the snapshot's `trouble` and on stderr; a restart begins
-/// anew. All calls are for the thread that made it, and none waits for a frame but the destructor.
+/// What goes wrong on the thread stops the scene, and stands in the snapshot's `trouble` and on stderr; a
+/// restart begins anew. All calls are for the thread that made it, and none waits for a frame but the
+/// destructor.
 class Simulation {
   public:
     using Command = std::function<void(Scene&)>;
@@ -47,8 +49,8 @@ class Simulation {
 
     /// Begins a new run; commands that still wait are dropped.
     void restart(SceneRequest request);
-    /// Does something to the scene, and to its dry twin, before the next frame; commands keep their order. What they throw
-    /// stands in the snapshots' `notice`, and the scene goes on.
+    /// Does something to the scene, and to its dry twin, before the next frame; commands keep their order.
+    /// What they throw stands in the snapshots' `notice`, and the scene goes on.
     void post(Command command);
     /// Where the mouse is and what it does, until told otherwise.
     void setPointer(const Pointer& pointer);
@@ -65,7 +67,8 @@ class Simulation {
 
     /// Shows the sheets in this way from now on.
     void setView(View view);
-    /// Writes the scene as it is after the frame under way into a scene file; the snapshots' `notice` says how that went.
+    /// Writes the scene as it is after the frame under way into a scene file; the snapshots' `notice` says
+    /// how that went.
     void save(const std::filesystem::path& file);
     /// How long the window has taken to draw a picture, s, for scenes that report it.
     void noteDrawTime(double seconds);

@@ -25,8 +25,8 @@ class StackedPlot {
     void add(const std::vector<double>& values);
     /// Forgets all samples.
     void clear() { samples_.clear(); }
-    /// Draws the plot over the width of the window, and below it each layer's name and newest value, or its mean over the
-    /// last `averaged` samples.
+    /// Draws the plot over the width of the window, and below it each layer's name and newest value, or its
+    /// mean over the last `averaged` samples.
     void draw(float height, std::size_t averaged = 1) const;
 
   private:

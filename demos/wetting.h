@@ -9,8 +9,8 @@
 
 namespace drench::demo {
 
-/// Gives the pores of each node so much of what they hold, 0 to 1, and wipes off the film; the difference is in an account
-/// named "by hand".
+/// Gives the pores of each node so much of what they hold, 0 to 1, and wipes off the film; the difference is
+/// in an account named "by hand".
 void wetTo(WetCloth& cloth, double saturation);
 
 /// The cloths of a scene that water may be brought to.

@@ -15,15 +15,15 @@
 
 namespace drench::demo {
 
-/// Shows a simulation, which runs by itself, and hands it what the user wants. The scene is looked at as it was last
-/// seen; drawing never makes it wait but for pictures and films that are to be kept whole.
+/// Shows a simulation, which runs by itself, and hands it what the user wants. The scene is looked at as it
+/// was last seen; drawing never makes it wait but for pictures and films that are to be kept whole.
 class WindowRun {
   public:
     /// Opens the window. @throws std::runtime_error where that cannot be
     explicit WindowRun(const RunOptions& options);
 
-    /// Goes on until the window is closed. @return the exit status: 0, 1 after OpenGL errors, or 2 where a film or the scene
-    /// has failed
+    /// Goes on until the window is closed. @return the exit status: 0, 1 after OpenGL errors, or 2 where a
+    /// film or the scene has failed
     int loop();
 
   private:

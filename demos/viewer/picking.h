@@ -15,8 +15,8 @@ struct Ray {
     Eigen::Vector3f direction = -Eigen::Vector3f::UnitZ();
 };
 
-// The ray from the eye through a point of a picture `aspect` times as wide as high; x from 0 (left) to 1 (right), y from 0
-// (top) to 1 (bottom).
+// The ray from the eye through a point of a picture `aspect` times as wide as high; x from 0 (left) to 1
+// (right), y from 0 (top) to 1 (bottom).
 Ray rayThrough(const Camera& camera, float aspect, float x, float y);
 
 // How far along the ray a triangle is, from either side; none if the ray misses it.

@@ -42,8 +42,8 @@ struct Mouse {
     bool leftWentDown = false;
 };
 
-// A window with an OpenGL 3.3 core context, an ImGui context and a camera that the mouse moves. Both contexts are
-// current from construction on. Main thread only; renderers made in it must go before it does.
+// A window with an OpenGL 3.3 core context, an ImGui context and a camera that the mouse moves. Both contexts
+// are current from construction on. Main thread only; renderers made in it must go before it does.
 class Window {
   public:
     // Size in screen coordinates. Throws std::runtime_error, saying what to do, when there is no display or
@@ -63,8 +63,8 @@ class Window {
 
     // Handles input and starts an ImGui frame, after which ImGui calls may follow.
     void beginFrame();
-    // Moves the camera by the mouse of this frame: the right or middle button pans, the wheel zooms, and the left one
-    // orbits if it is free to. What goes down over ImGui's windows counts for those.
+    // Moves the camera by the mouse of this frame: the right or middle button pans, the wheel zooms, and the
+    // left one orbits if it is free to. What goes down over ImGui's windows counts for those.
     void moveCamera(bool leftOrbits);
     // Draws ImGui over framebuffer 0 and shows the result, waiting for the screen.
     void endFrame();
@@ -73,8 +73,9 @@ class Window {
     const std::vector<Key>& keys() const;
     // Whether a key is held now; false while the window has lost the focus or text is typed.
     bool isHeld(HeldKey key) const;
-    // Where the mouse is over one of so many pictures of equal width side by side; none while it is over ImGui's windows or
-    // the focus is lost. A button that is held stays with the pictures wherever it is moved.
+    // Where the mouse is over one of so many pictures of equal width side by side; none while it is over
+    // ImGui's windows or the focus is lost. A button that is held stays with the pictures wherever it is
+    // moved.
     std::optional<Mouse> mouse(int columns = 1) const;
     // What OpenGL draws with, as the driver names it.
     std::string rendererName() const;

@@ -5,8 +5,9 @@
 
 namespace drench {
 
-/// Running totals of computing time of one sheet since its WetCloth was made, s of a steady clock. What a frame took is
-/// the difference between two of these; measuring it takes about a microsecond a substep. Of what sheets of a world have in common each has an equal part.
+/// Running totals of computing time of one sheet since its WetCloth was made, s of a steady clock. What a
+/// frame took is the difference between two of these; measuring it takes about a microsecond a substep. Of
+/// what sheets of a world have in common each has an equal part.
 struct StepTimes {
     double supply = 0;    ///< sources bring their water
     double water = 0;     ///< drying, soaking in, wicking, running down, dripping
