@@ -156,12 +156,12 @@ int runHeadless(Scene& scene, const RunOptions& options) {
         scene.advance();
         log.note(scene);
         progress.show(scene);
-        if (film) film->add(scene.picture());
+        if (film) film->add(scene.picture(options.view));
         if (!album) continue;
         if (const auto moment = scene.moment())
-            scene.noteDrawTime(album->add(scene.picture(), *moment));
+            scene.noteDrawTime(album->add(scene.picture(options.view), *moment));
         else if (options.every > 0 && frame % options.every == 0)
-            scene.noteDrawTime(album->add(scene.picture(), frameName(frame)));
+            scene.noteDrawTime(album->add(scene.picture(options.view), frameName(frame)));
     }
     progress.end();
 

@@ -32,6 +32,12 @@ CLI::Validator secondsInRange() {
         "FLOAT in [0.02 - 86400]");
 }
 
+View viewOf(const std::string& name) {
+    if (name == "content") return View::content;
+    if (name == "film") return View::film;
+    return name == "strain" ? View::strain : View::beauty;
+}
+
 /// What the names of --solver and --world mean together; where there are none, the options stay as they are.
 void choose(SceneOptions& options, const std::string& solver, const std::string& world) {
     if (!world.empty()) options.world = world == "deformable" ? WorldKind::deformable : WorldKind::softRigid;
@@ -68,7 +74,7 @@ ParsedOptions parseOptions(int argc, char** argv) {
     ParsedOptions parsed;
     RunOptions& run = parsed.options;
     bool list = false, dry = false;
-    std::string solver, world, file;
+    std::string solver, world, file, view = "beauty";
 
     CLI::App app{"Wet cloth on Bullet soft bodies. Opens a window unless --headless is given.",
                  "drench-demo"};
@@ -91,6 +97,9 @@ ParsedOptions parseOptions(int argc, char** argv) {
         "--csv", run.csv,
         "write the water of each frame to this file; ten-steps: its result, and the water beside it");
     app.add_option("--frames", run.frames, "write pictures (PNG) into this folder");
+    app.add_option("--view", view,
+                   "what pictures show of the sheets: their looks, water content, film or strain [beauty]")
+        ->check(CLI::IsMember({"beauty", "content", "film", "strain"}));
     app.add_option("--record", run.record, "make a film of the run, such as out.mp4, with ffmpeg");
     app.add_option("--every", run.every,
                    "a picture each so many frames of 1/60 s [the scene's own moments; of a film each frame]")
@@ -119,6 +128,7 @@ ParsedOptions parseOptions(int argc, char** argv) {
         takeFromScene(run, file, {fabric->count() > 0, seed->count() > 0});
         choose(run.sceneOptions, solver, world);
         run.sceneOptions.water = !dry;
+        run.view = viewOf(view);
         if (list) {
             listScenes();
             parsed.exitStatus = 0;

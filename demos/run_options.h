@@ -20,6 +20,7 @@ struct RunOptions {
     bool headless = false;
     std::filesystem::path csv;     ///< empty: no file
     std::filesystem::path saved;   ///< scene file for the state at the end; empty: none
+    View view = View::beauty;      ///< what pictures show of the sheets, in the window at first
     std::filesystem::path frames;  ///< folder for pictures; empty: none
     std::pair<int, int> windowSize{pictureWidth, pictureHeight};  ///< in screen coordinates
     double speed = 1;        ///< simulated time over wall time, in the window, at most; 0: as fast as it can

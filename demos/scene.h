@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "pictures.h"
 #include "scene_description.h"
 #include "scene_world.h"
 #include "table.h"
@@ -60,8 +61,8 @@ class Scene {
     /// What happens right now, in a few words.
     virtual std::string status() const = 0;
 
-    /// What there is to see now.
-    virtual viewer::Picture picture() const = 0;
+    /// What there is to see now, the sheets as in the view.
+    virtual viewer::Picture picture(View view) const = 0;
     /// At a moment worth keeping, a file name for its picture, without folder and ending.
     virtual std::optional<std::string> moment() const { return std::nullopt; }
     /// Images of its own that go with the result.

@@ -105,20 +105,9 @@ void SceneRun::save(const std::filesystem::path& file) {
     saveScene(file, stages[0]->describe());
 }
 
-/// In a view, the scene's meshes of wet sheets get their values; what else there is keeps its looks.
-viewer::Picture SceneRun::pictureOf(Scene& scene, const Hand& hand) const {
-    viewer::Picture picture = scene.picture();
+viewer::Picture SceneRun::pictureOf(const Scene& scene, const Hand& hand) const {
+    viewer::Picture picture = scene.picture(view_);
     hand.show(picture);
-    if (view_ == View::beauty) return picture;
-    std::vector<const WetCloth*> cloths;
-    for (const Graspable& sheet : graspables(scene)) {
-        cloths.push_back(sheet.cloth);
-        const Eigen::Vector3f first = toEigen(sheet.body->m_nodes[0].m_x);
-        for (viewer::SheetMesh& mesh : picture.sheets)
-            if (int(mesh.positions.size()) == sheet.body->m_nodes.size() && mesh.positions[0] == first)
-                mesh.values = values(*sheet.body, *sheet.cloth, view_);
-    }
-    picture.legend = legend(view_, cloths);
     return picture;
 }
 

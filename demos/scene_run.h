@@ -55,7 +55,7 @@ class SceneRun {
   private:
     static void advance(Scene& scene, Hand& hand, const Pointer& pointer);
     FrameTimes timesSoFar() const;
-    viewer::Picture pictureOf(Scene& scene, const Hand& hand) const;
+    viewer::Picture pictureOf(const Scene& scene, const Hand& hand) const;
     void end();
 
     const RunOptions& options_;

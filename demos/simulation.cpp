@@ -16,6 +16,7 @@ constexpr std::size_t mostKeepsakes = 3;
 
 Simulation::Simulation(SceneRequest request, const RunOptions& options) : options_(options) {
     orders_.request = std::move(request);
+    orders_.view = options_.view;
     orders_.filmed = !options_.record.empty();  // from the first frame on
     thread_ = std::thread([this] { work(); });
 }

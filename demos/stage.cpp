@@ -5,8 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "pictures.h"
-
 namespace drench::demo {
 
 namespace {
@@ -145,8 +143,13 @@ void Stage::step(double frameTime) {
     time_ = description_.time + frames_ * frameTime;  // not a sum of frames, whose rounding would add up
 }
 
-void Stage::show(viewer::Picture& picture) const {
-    for (const auto& sheet : sheets_) picture.sheets.push_back(sheetMesh(sheet->body(), sheet->wet()));
+void Stage::show(viewer::Picture& picture, View view) const {
+    std::vector<const WetCloth*> cloths;
+    for (const auto& sheet : sheets_) {
+        picture.sheets.push_back(sheetMesh(sheet->body(), sheet->wet(), view));
+        cloths.push_back(&sheet->wet());
+    }
+    picture.legend = legend(view, cloths);
     for (const StageSolid& solid : solids_) solid.show(picture);
     for (const StageSource& source : sources_)
         if (const auto* pool = std::get_if<PoolDescription>(&source.description().water))

@@ -57,9 +57,9 @@ double StagedScene::progress() const {
     return std::clamp(time_ / duration_, 0.0, 1.0);
 }
 
-viewer::Picture StagedScene::picture() const {
+viewer::Picture StagedScene::picture(View view) const {
     viewer::Picture picture;
-    stage_->show(picture);
+    stage_->show(picture, view);
     adorn(picture);
     return picture;
 }

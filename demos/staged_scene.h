@@ -24,7 +24,7 @@ class StagedScene : public Scene {
     bool finished() const override { return time_ > duration_ - frameTime / 2; }
     double progress() const override;
     std::string status() const override { return timeText(1); }
-    viewer::Picture picture() const override;
+    viewer::Picture picture(View view) const override;
     std::optional<std::string> moment() const override;
     std::vector<Stage*> stages() override { return {stage_.get()}; }
     void report(std::ostream& out) const override;

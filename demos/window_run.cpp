@@ -44,6 +44,7 @@ PanelState stateFor(const RunOptions& options) {
     state.scene = options.scene;
     state.options = options.sceneOptions;
     state.described = options.described;
+    state.view = options.view;
     state.fabricChosen =
         !options.described && options.sceneOptions.fabric != sceneByName(options.scene).fabric;
     return state;

@@ -95,8 +95,8 @@ class StockAndDrench::Exhibit {
     int smallSteps() const { return stage_->world().smallSteps(); }
     double x() const { return x_; }  // m, of its middle
 
-    void show(viewer::Picture& picture) const {
-        stage_->show(picture);
+    void show(viewer::Picture& picture, View view) const {
+        stage_->show(picture, view);
         if (plain_) picture.sheets.push_back(sheetMesh(*plain_, albedo_));
         viewer::SheetMesh& mesh = picture.sheets.back();
         mesh.clothCoordinates = flat_;
@@ -175,9 +175,9 @@ std::string StockAndDrench::status() const {
     return number(time_, 1) + " s of " + number(duration_, 1) + " s";
 }
 
-viewer::Picture StockAndDrench::picture() const {
+viewer::Picture StockAndDrench::picture(View view) const {
     viewer::Picture picture;
-    for (const auto& exhibit : exhibits_) exhibit->show(picture);
+    for (const auto& exhibit : exhibits_) exhibit->show(picture, view);
     std::string names;
     for (const auto& exhibit : exhibits_) names += (names.empty() ? "" : "; ") + exhibit->name();
     picture.caption.push_back(names);
@@ -188,7 +188,7 @@ std::vector<viewer::Picture> StockAndDrench::sideBySide() const {
     std::vector<viewer::Picture> row;
     for (const auto& exhibit : exhibits_) {
         viewer::Picture picture;
-        exhibit->show(picture);
+        exhibit->show(picture, View::beauty);
         picture.camera.target = {float(exhibit->x()), 0.6f, 0};
         picture.camera.distance = 2.75f;
         picture.camera.yaw = -0.35f;

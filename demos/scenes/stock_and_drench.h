@@ -21,7 +21,7 @@ class StockAndDrench final : public Scene {
     bool finished() const override { return time_ >= duration_; }
     double progress() const override { return time_ / duration_; }
     std::string status() const override;
-    viewer::Picture picture() const override;
+    viewer::Picture picture(View view) const override;
     std::vector<viewer::Picture> sideBySide() const override;
     std::string sideBySideName() const override { return "stock-and-drench"; }
     std::vector<Stage*> stages() override;

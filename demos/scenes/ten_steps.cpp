@@ -273,9 +273,9 @@ void TenSteps::showLine(viewer::Picture& picture) const {
     }
 }
 
-viewer::Picture TenSteps::picture() const {
+viewer::Picture TenSteps::picture(View view) const {
     viewer::Picture picture;
-    stage_->show(picture);
+    stage_->show(picture, view);
     showLine(picture);
     std::ostringstream text;
     text << std::fixed << "step " << results_.size() - 1 << ": " << std::setprecision(3)

@@ -23,7 +23,7 @@ class TenSteps final : public Scene {
     bool finished() const override;
     double progress() const override;
     std::string status() const override;
-    viewer::Picture picture() const override;
+    viewer::Picture picture(View view) const override;
     std::optional<std::string> moment() const override;
     void noteDrawTime(double seconds) override;
     std::vector<Stage*> stages() override { return {stage_.get()}; }

@@ -137,7 +137,7 @@ TEST(Stage, SolidsHoldClothAndOnesToLookAtDoNot) {
         run(stage, 1);
         EXPECT_EQ(stage.sheets()[0]->highest() > 0.75, touches);
         viewer::Picture picture;
-        stage.show(picture);
+        stage.show(picture, View::beauty);
         EXPECT_EQ(picture.rods.size(), 1u);
     }
 }

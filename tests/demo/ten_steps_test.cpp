@@ -90,7 +90,7 @@ class Verdict final : public Scene {
     bool finished() const override { return true; }
     double progress() const override { return 1; }
     std::string status() const override { return ""; }
-    viewer::Picture picture() const override { return {}; }
+    viewer::Picture picture(View) const override { return {}; }
     std::vector<Stage*> stages() override { return {}; }
     void report(std::ostream&) const override {}
     std::vector<std::string> failures() const override {
