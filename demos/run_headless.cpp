@@ -61,7 +61,8 @@ class Album {
     /// All moments side by side.
     void writeContactSheet() const {
         if (images_.size() < 2) return;
-        constexpr int columns = 4, gap = 4;
+        const int columns = images_.size() % 3 == 0 ? 3 : 4;  // as full as it can be
+        constexpr int gap = 4;
         writePng(folder_ / "contact-sheet.png", viewer::contactSheet(images_, columns, gap));
     }
 
