@@ -1,19 +1,11 @@
 #include "pictures.h"
 
-#include <BulletCollision/CollisionShapes/btBoxShape.h>
-#include <BulletCollision/CollisionShapes/btSphereShape.h>
-
 #include <algorithm>
 #include <cmath>
 
 namespace drench::demo {
 
 namespace {
-
-Eigen::Quaternionf orientation(const btRigidBody& body) {
-    const btQuaternion turn = body.getWorldTransform().getRotation();
-    return {float(turn.w()), float(turn.x()), float(turn.y()), float(turn.z())};
-}
 
 viewer::Weave weaveOf(Construction construction) {
     switch (construction) {
@@ -124,23 +116,6 @@ std::optional<viewer::Legend> legend(View view, const std::vector<const WetCloth
             return viewer::Legend{"mean strain, %", 0, 5};
     }
     return std::nullopt;
-}
-
-viewer::Box box(const btRigidBody& body) {
-    viewer::Box result;
-    result.centre = toEigen(body.getWorldTransform().getOrigin());
-    result.halfExtents =
-        toEigen(static_cast<const btBoxShape*>(body.getCollisionShape())->getHalfExtentsWithMargin());
-    result.orientation = orientation(body);
-    return result;
-}
-
-viewer::Ball ball(const btRigidBody& body) {
-    viewer::Ball result;
-    result.centre = toEigen(body.getWorldTransform().getOrigin());
-    result.radius = float(static_cast<const btSphereShape*>(body.getCollisionShape())->getRadius());
-    result.orientation = orientation(body);
-    return result;
 }
 
 }  // namespace drench::demo
