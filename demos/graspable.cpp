@@ -1,7 +1,7 @@
 #include "graspable.h"
 
-#include "pictures.h"
 #include "stage.h"
+#include "vectors.h"
 
 namespace drench::demo {
 
@@ -16,10 +16,6 @@ struct SolidsOnly final : btCollisionWorld::ClosestRayResultCallback {
                ClosestRayResultCallback::needsCollision(proxy);
     }
 };
-
-btVector3 toBullet(const Eigen::Vector3f& v) {
-    return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
-}
 
 }  // namespace
 
@@ -44,14 +40,16 @@ std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const vie
     for (const Graspable& sheet : sheets)
         for (int f = 0; f < sheet.body->m_faces.size(); ++f) {
             const btSoftBody::Face& face = sheet.body->m_faces[f];
-            const auto distance = distanceTo(ray, toEigen(face.m_n[0]->m_x), toEigen(face.m_n[1]->m_x),
-                                             toEigen(face.m_n[2]->m_x));
+            const auto distance =
+                distanceTo(ray, pictureVector(face.m_n[0]->m_x), pictureVector(face.m_n[1]->m_x),
+                           pictureVector(face.m_n[2]->m_x));
             if (!distance || (first && double(*distance) >= first->distance)) continue;
-            first = ClothHit{sheet, f, toBullet(ray.origin + *distance * ray.direction), double(*distance)};
+            first =
+                ClothHit{sheet, f, bulletVector(ray.origin + *distance * ray.direction), double(*distance)};
         }
     if (!first) return std::nullopt;
     constexpr double onSolid = 0.02;  // m, as cloth lies on what is behind it
-    const btVector3 from = toBullet(ray.origin), way = toBullet(ray.direction);
+    const btVector3 from = bulletVector(ray.origin), way = bulletVector(ray.direction);
     const double most = first->distance - onSolid;
     if (most > 0 && firstSolid(*first->sheet.world, from, from + way * btScalar(most))) return std::nullopt;
     return first;

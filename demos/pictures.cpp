@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vectors.h"
+
 namespace drench::demo {
 
 namespace {
@@ -53,13 +55,10 @@ float thirstiest(const std::vector<const WetCloth*>& cloths) {
 
 }  // namespace
 
-Eigen::Vector3f toEigen(const btVector3& v) {
-    return {float(v.x()), float(v.y()), float(v.z())};
-}
-
 viewer::SheetMesh sheetMesh(const btSoftBody& body, const Eigen::Vector3f& albedo) {
     viewer::SheetMesh mesh;
-    for (int n = 0; n < body.m_nodes.size(); ++n) mesh.positions.push_back(toEigen(body.m_nodes[n].m_x));
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        mesh.positions.push_back(pictureVector(body.m_nodes[n].m_x));
     mesh.albedo.assign(mesh.positions.size(), albedo);
     mesh.gloss.assign(mesh.positions.size(), 0);
     for (int f = 0; f < body.m_faces.size(); ++f) {

@@ -11,8 +11,6 @@
 
 namespace drench::demo {
 
-Eigen::Vector3f toEigen(const btVector3& v);
-
 /// What a picture shows of its wet sheets.
 enum class View {
     beauty,   ///< how they look

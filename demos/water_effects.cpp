@@ -9,6 +9,7 @@
 #include <string>
 
 #include "angles.h"
+#include "vectors.h"
 
 namespace drench::demo {
 
@@ -35,10 +36,6 @@ double dropsPerVolume(double intensity) {
 
 double radiusOf(double mass) {
     return std::cbrt(3 * mass / (4 * pi * waterDensity));
-}
-
-btVector3 toBullet(const Eigen::Vector3d& v) {
-    return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
 }
 
 /// What a ray to solid things hits first; soft bodies and triggers let it pass.
@@ -155,7 +152,7 @@ Eigen::Vector3d WaterEffects::randomDirection() {
 
 std::optional<WaterEffects::Hit> WaterEffects::hitBody(const Eigen::Vector3d& from,
                                                        const Eigen::Vector3d& to) const {
-    SolidRay ray(toBullet(from), toBullet(to));
+    SolidRay ray(bulletVector(from), bulletVector(to));
     world_.rayTest(ray.m_rayFromWorld, ray.m_rayToWorld, ray);
     if (!ray.hasHit()) return std::nullopt;
     return Hit{from + double(ray.m_closestHitFraction) * (to - from), ray.m_collisionObject};
