@@ -10,13 +10,13 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "film.h"
 #include "frame_name.h"
 #include "picture_size.h"
 #include "runners.h"
 #include "scene_file.h"
+#include "seconds_since.h"
 #include "stage.h"
 #include "viewer/image.h"
 #include "viewer/offscreen_context.h"
@@ -41,7 +41,7 @@ class Album {
             renderer_.capture(picture, pictureWidth, pictureHeight);  // the first one compiles shaders
         const auto before = std::chrono::steady_clock::now();
         const viewer::Image image = renderer_.capture(picture, pictureWidth, pictureHeight);
-        const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+        const double took = secondsSince(before);
         writePng(folder_ / (name + ".png"), image);
         images_.push_back(renderer_.capture(picture, pictureWidth / 3, pictureHeight / 3));
         return took;

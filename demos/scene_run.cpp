@@ -7,6 +7,7 @@
 #include "frame_name.h"
 #include "runners.h"
 #include "scene_file.h"
+#include "seconds_since.h"
 #include "stage.h"
 
 namespace drench::demo {
@@ -29,10 +30,6 @@ FrameTimes difference(const FrameTimes& from, const FrameTimes& to) {
     if (to.water < from.water) return to;
     return {to.supply - from.supply, to.water - from.water,       to.laws - from.laws,
             to.air - from.air,       to.contacts - from.contacts, to.solver - from.solver};
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "../angles.h"
+#include "../seconds_since.h"
 #include "../staged_scene.h"
 #include "../vectors.h"
 #include "scene_texts.h"
@@ -137,7 +138,7 @@ void TenSteps::advance() {
 
     const auto before = std::chrono::steady_clock::now();
     stage_->step(frameTime);
-    computing_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    computing_ += secondsSince(before);
     ++frames_;
     phaseTime_ += frameTime;
     totalTime_ += frameTime;
