@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <iostream>
-#include <stdexcept>
 
 #include "frame_name.h"
 #include "runners.h"
@@ -95,11 +94,7 @@ std::vector<Scene*> SceneRun::scenes() {
 }
 
 void SceneRun::save(const std::filesystem::path& file) {
-    const std::vector<Stage*> stages = scene_->stages();
-    if (stages.size() != 1)
-        throw std::runtime_error("this scene is played in " + std::to_string(stages.size()) +
-                                 " worlds, and a scene file holds one");
-    saveScene(file, stages[0]->describe());
+    saveScene(file, describedNow(*scene_));
 }
 
 viewer::Picture SceneRun::pictureOf(const Scene& scene, const Hand& hand) const {
