@@ -1,23 +1,10 @@
 #include "graspable.h"
 
+#include "solid_ray.h"
 #include "stage.h"
 #include "vectors.h"
 
 namespace drench::demo {
-
-namespace {
-
-/// Soft bodies are no solids.
-struct SolidsOnly final : btCollisionWorld::ClosestRayResultCallback {
-    using ClosestRayResultCallback::ClosestRayResultCallback;
-    bool needsCollision(btBroadphaseProxy* proxy) const override {
-        const auto* const object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-        return object->getInternalType() != btCollisionObject::CO_SOFT_BODY &&
-               ClosestRayResultCallback::needsCollision(proxy);
-    }
-};
-
-}  // namespace
 
 std::vector<Graspable> graspables(Scene& scene) {
     std::vector<Graspable> sheets;
@@ -28,11 +15,10 @@ std::vector<Graspable> graspables(Scene& scene) {
 }
 
 std::optional<SolidHit> firstSolid(SceneWorld& world, const btVector3& from, const btVector3& to) {
-    SolidsOnly found(from, to);
-    // The collision world's own, since soft worlds test soft bodies whatever the callback says.
-    static_cast<btCollisionWorld&>(world.world()).btCollisionWorld::rayTest(from, to, found);
-    if (!found.hasHit()) return std::nullopt;
-    return SolidHit{double(found.m_closestHitFraction), found.m_hitNormalWorld};
+    SolidRay ray(from, to);
+    world.world().rayTest(from, to, ray);
+    if (!ray.hasHit()) return std::nullopt;
+    return SolidHit{double(ray.m_closestHitFraction), ray.m_hitNormalWorld};
 }
 
 std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const viewer::Ray& ray) {
