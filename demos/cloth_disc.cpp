@@ -99,11 +99,11 @@ std::vector<int> borderOf(const DiscMesh& mesh) {
     return loop;
 }
 
-/// Nodes evenly along the circle; the first at the angle of `from`.
-std::vector<int> addRing(DiscMesh& mesh, double radius, int count, const Eigen::Vector2d& from) {
+/// Nodes evenly along the circle, the first at an angle in rad.
+std::vector<int> addRing(DiscMesh& mesh, double radius, int count, double firstAngle) {
     std::vector<int> ring;
     for (int i = 0; i < count; ++i) {
-        const double angle = std::atan2(from.y(), from.x()) + 2 * pi * i / count;
+        const double angle = firstAngle + 2 * pi * i / count;
         ring.push_back(int(mesh.nodes.size()));
         mesh.nodes.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
@@ -184,8 +184,9 @@ DiscMesh discMesh(double radius, int nodesAcross, double innerRadius) {
     Grid(mesh, cell, radius - 0.7 * cell);
     dropLoneNodes(mesh);
     const std::vector<int> border = borderOf(mesh);
+    const Eigen::Vector2d& first = mesh.nodes[std::size_t(border.front())];
     const std::vector<int> rim = addRing(mesh, radius, int(std::lround(2 * pi * radius / cell)),
-                                         mesh.nodes[std::size_t(border.front())]);
+                                         std::atan2(first.y(), first.x()));
     Strip(mesh, border, rim).fill();
     moveOnto(mesh, innerRadius, 0.3 * cell);
     addEdgesAsLinks(mesh);

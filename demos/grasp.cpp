@@ -1,9 +1,8 @@
 #include "grasp.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "pictures.h"
+#include "vectors.h"
 
 namespace drench::demo {
 
@@ -21,10 +20,6 @@ btVector3 limited(const btVector3& v, double most) {
     return length > most ? v * btScalar(most / length) : v;
 }
 
-btVector3 toBullet(const Eigen::Vector3f& v) {
-    return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
-}
-
 }  // namespace
 
 Grasp::Grasp(const ClothHit& hit, const Pointer& pointer)
@@ -32,7 +27,7 @@ Grasp::Grasp(const ClothHit& hit, const Pointer& pointer)
       nodes_(hit.sheet.body->m_nodes.size()),
       isHeld_(static_cast<std::size_t>(nodes_), 0),
       centre_(hit.point),
-      depth_(double((hit.point - toBullet(pointer.ray.origin)).dot(toBullet(pointer.forward)))) {
+      depth_(double((hit.point - bulletVector(pointer.ray.origin)).dot(bulletVector(pointer.forward)))) {
     btSoftBody& body = *sheet_.body;
     const btSoftBody::Face& face = body.m_faces[hit.face];
     for (int n = 0; n < nodes_; ++n) {
@@ -56,7 +51,7 @@ bool Grasp::holdsOneOf(const std::vector<Graspable>& sheets) const {
 btVector3 Grasp::target(const Pointer& pointer) const {
     constexpr float grazing = 0.05f;
     const float along = std::max(grazing, pointer.ray.direction.dot(pointer.forward));
-    return toBullet(pointer.ray.origin + float(depth_) / along * pointer.ray.direction);
+    return bulletVector(pointer.ray.origin + float(depth_) / along * pointer.ray.direction);
 }
 
 bool Grasp::isHeld(const btSoftBody::Node* node) const {

@@ -1,27 +1,10 @@
 #include "graspable.h"
 
-#include "pictures.h"
+#include "solid_ray.h"
 #include "stage.h"
+#include "vectors.h"
 
 namespace drench::demo {
-
-namespace {
-
-/// Soft bodies are no solids.
-struct SolidsOnly final : btCollisionWorld::ClosestRayResultCallback {
-    using ClosestRayResultCallback::ClosestRayResultCallback;
-    bool needsCollision(btBroadphaseProxy* proxy) const override {
-        const auto* const object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-        return object->getInternalType() != btCollisionObject::CO_SOFT_BODY &&
-               ClosestRayResultCallback::needsCollision(proxy);
-    }
-};
-
-btVector3 toBullet(const Eigen::Vector3f& v) {
-    return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
-}
-
-}  // namespace
 
 std::vector<Graspable> graspables(Scene& scene) {
     std::vector<Graspable> sheets;
@@ -32,11 +15,10 @@ std::vector<Graspable> graspables(Scene& scene) {
 }
 
 std::optional<SolidHit> firstSolid(SceneWorld& world, const btVector3& from, const btVector3& to) {
-    SolidsOnly found(from, to);
-    // The collision world's own, since soft worlds test soft bodies whatever the callback says.
-    static_cast<btCollisionWorld&>(world.world()).btCollisionWorld::rayTest(from, to, found);
-    if (!found.hasHit()) return std::nullopt;
-    return SolidHit{double(found.m_closestHitFraction), found.m_hitNormalWorld};
+    SolidRay ray(from, to);
+    world.world().rayTest(from, to, ray);
+    if (!ray.hasHit()) return std::nullopt;
+    return SolidHit{double(ray.m_closestHitFraction), ray.m_hitNormalWorld};
 }
 
 std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const viewer::Ray& ray) {
@@ -44,14 +26,16 @@ std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const vie
     for (const Graspable& sheet : sheets)
         for (int f = 0; f < sheet.body->m_faces.size(); ++f) {
             const btSoftBody::Face& face = sheet.body->m_faces[f];
-            const auto distance = distanceTo(ray, toEigen(face.m_n[0]->m_x), toEigen(face.m_n[1]->m_x),
-                                             toEigen(face.m_n[2]->m_x));
+            const auto distance =
+                distanceTo(ray, pictureVector(face.m_n[0]->m_x), pictureVector(face.m_n[1]->m_x),
+                           pictureVector(face.m_n[2]->m_x));
             if (!distance || (first && double(*distance) >= first->distance)) continue;
-            first = ClothHit{sheet, f, toBullet(ray.origin + *distance * ray.direction), double(*distance)};
+            first =
+                ClothHit{sheet, f, bulletVector(ray.origin + *distance * ray.direction), double(*distance)};
         }
     if (!first) return std::nullopt;
     constexpr double onSolid = 0.02;  // m, as cloth lies on what is behind it
-    const btVector3 from = toBullet(ray.origin), way = toBullet(ray.direction);
+    const btVector3 from = bulletVector(ray.origin), way = bulletVector(ray.direction);
     const double most = first->distance - onSolid;
     if (most > 0 && firstSolid(*first->sheet.world, from, from + way * btScalar(most))) return std::nullopt;
     return first;

@@ -37,12 +37,6 @@ void Hand::act(const std::vector<Graspable>& sheets, const Pointer& pointer, dou
     pressed_ = pointer.pressed;
 }
 
-void Hand::forget() {
-    grasp_.reset();
-    nozzle_.reset();
-    hose_ = Hose();
-}
-
 void Hand::drag(const std::vector<Graspable>& sheets, const Pointer& pointer, double frameTime) {
     if (grasp_ && !grasp_->holdsOneOf(sheets)) grasp_.reset();
     const bool drags = pointer.pressed && pointer.tool == Tool::hand;

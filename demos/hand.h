@@ -18,8 +18,6 @@ class Hand {
     /// Does what the pointer says in the frame that comes, s.
     /// @param sheets  all there are now; those of earlier frames may be gone
     void act(const std::vector<Graspable>& sheets, const Pointer& pointer, double frameTime);
-    /// Forgets what it holds, as the sheets are gone.
-    void forget();
 
     /// What sprays water in this frame; none while the hose is off.
     const std::optional<Nozzle>& nozzle() const { return nozzle_; }

@@ -28,7 +28,7 @@ void changeWaterSpeed(const Snapshot& snapshot, PanelState& state, Simulation& s
     if (ImGui::SliderScalar("times as fast", ImGuiDataType_Double, &state.waterSpeed, &still, &fastest,
                             "%.1f", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
         simulation.post([speed = state.waterSpeed](Scene& scene) {
-            for (const SceneSheet& sheet : scene.sheets()) sheet.cloth->setWaterSpeed(speed);
+            for (Stage* const stage : scene.stages()) stage->setWaterSpeed(speed);
         });
 }
 

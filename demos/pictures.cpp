@@ -1,19 +1,13 @@
 #include "pictures.h"
 
-#include <BulletCollision/CollisionShapes/btBoxShape.h>
-#include <BulletCollision/CollisionShapes/btSphereShape.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "vectors.h"
 
 namespace drench::demo {
 
 namespace {
-
-Eigen::Quaternionf orientation(const btRigidBody& body) {
-    const btQuaternion turn = body.getWorldTransform().getRotation();
-    return {float(turn.w()), float(turn.x()), float(turn.y()), float(turn.z())};
-}
 
 viewer::Weave weaveOf(Construction construction) {
     switch (construction) {
@@ -61,13 +55,10 @@ float thirstiest(const std::vector<const WetCloth*>& cloths) {
 
 }  // namespace
 
-Eigen::Vector3f toEigen(const btVector3& v) {
-    return {float(v.x()), float(v.y()), float(v.z())};
-}
-
 viewer::SheetMesh sheetMesh(const btSoftBody& body, const Eigen::Vector3f& albedo) {
     viewer::SheetMesh mesh;
-    for (int n = 0; n < body.m_nodes.size(); ++n) mesh.positions.push_back(toEigen(body.m_nodes[n].m_x));
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        mesh.positions.push_back(pictureVector(body.m_nodes[n].m_x));
     mesh.albedo.assign(mesh.positions.size(), albedo);
     mesh.gloss.assign(mesh.positions.size(), 0);
     for (int f = 0; f < body.m_faces.size(); ++f) {
@@ -124,23 +115,6 @@ std::optional<viewer::Legend> legend(View view, const std::vector<const WetCloth
             return viewer::Legend{"mean strain, %", 0, 5};
     }
     return std::nullopt;
-}
-
-viewer::Box box(const btRigidBody& body) {
-    viewer::Box result;
-    result.centre = toEigen(body.getWorldTransform().getOrigin());
-    result.halfExtents =
-        toEigen(static_cast<const btBoxShape*>(body.getCollisionShape())->getHalfExtentsWithMargin());
-    result.orientation = orientation(body);
-    return result;
-}
-
-viewer::Ball ball(const btRigidBody& body) {
-    viewer::Ball result;
-    result.centre = toEigen(body.getWorldTransform().getOrigin());
-    result.radius = float(static_cast<const btSphereShape*>(body.getCollisionShape())->getRadius());
-    result.orientation = orientation(body);
-    return result;
 }
 
 }  // namespace drench::demo

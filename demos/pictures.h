@@ -1,7 +1,7 @@
-// Bullet's bodies as the viewer wants them.
+// Sheets as the viewer wants them.
 #pragma once
 
-#include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <BulletSoftBody/btSoftBody.h>
 #include <drench/drench.h>
 
 #include <optional>
@@ -10,8 +10,6 @@
 #include "viewer/picture.h"
 
 namespace drench::demo {
-
-Eigen::Vector3f toEigen(const btVector3& v);
 
 /// What a picture shows of its wet sheets.
 enum class View {
@@ -33,11 +31,5 @@ std::optional<viewer::Legend> legend(View view, const std::vector<const WetCloth
 
 /// A sheet without water as it is now, all of one colour.
 viewer::SheetMesh sheetMesh(const btSoftBody& body, const Eigen::Vector3f& albedo);
-
-/// A rigid ball as it is now. @pre its shape is a btSphereShape
-viewer::Ball ball(const btRigidBody& body);
-
-/// A rigid box as it is now. @pre its shape is a btBoxShape
-viewer::Box box(const btRigidBody& body);
 
 }  // namespace drench::demo

@@ -10,13 +10,14 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
-#include <sstream>
+#include <stdexcept>
 
 #include "film.h"
 #include "frame_name.h"
 #include "picture_size.h"
 #include "runners.h"
 #include "scene_file.h"
+#include "seconds_since.h"
 #include "stage.h"
 #include "viewer/image.h"
 #include "viewer/offscreen_context.h"
@@ -41,7 +42,7 @@ class Album {
             renderer_.capture(picture, pictureWidth, pictureHeight);  // the first one compiles shaders
         const auto before = std::chrono::steady_clock::now();
         const viewer::Image image = renderer_.capture(picture, pictureWidth, pictureHeight);
-        const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+        const double took = secondsSince(before);
         writePng(folder_ / (name + ".png"), image);
         images_.push_back(renderer_.capture(picture, pictureWidth / 3, pictureHeight / 3));
         return took;
@@ -108,24 +109,6 @@ std::filesystem::path besideFor(const std::filesystem::path& csv) {
     return beside;
 }
 
-}  // namespace
-
-std::unique_ptr<Scene> makeScene(const RunOptions& options) {
-    if (options.described) return makeScene(*options.described, options.sceneOptions);
-    return makeScene(options.scene, options.sceneOptions);
-}
-
-namespace {
-
-/// @throws std::runtime_error for a scene that a scene file cannot hold
-SceneDescription describedNow(const RunOptions& options, Scene& scene) {
-    const std::vector<Stage*> stages = scene.stages();
-    if (stages.size() != 1)
-        throw std::runtime_error("the scene '" + options.scene + "' is played in " +
-                                 std::to_string(stages.size()) + " worlds, and a scene file holds one");
-    return stages.front()->describe();
-}
-
 /// Says whether the scene's check has passed. @return the exit status
 int judge(const Scene& scene, const RunOptions& options) {
     if (!options.sceneOptions.water) {
@@ -140,12 +123,25 @@ int judge(const Scene& scene, const RunOptions& options) {
 
 }  // namespace
 
+std::unique_ptr<Scene> makeScene(const RunOptions& options) {
+    if (options.described) return makeScene(*options.described, options.sceneOptions);
+    return makeScene(options.scene, options.sceneOptions);
+}
+
+SceneDescription describedNow(Scene& scene) {
+    const std::vector<Stage*> stages = scene.stages();
+    if (stages.size() != 1)
+        throw std::runtime_error("this scene is played in " + std::to_string(stages.size()) +
+                                 " worlds, and a scene file holds one; save another scene");
+    return stages.front()->describe();
+}
+
 void writeScene(const RunOptions& options, Scene& scene) {
-    if (!options.saved.empty()) saveScene(options.saved, describedNow(options, scene));
+    if (!options.saved.empty()) saveScene(options.saved, describedNow(scene));
 }
 
 int runHeadless(Scene& scene, const RunOptions& options) {
-    if (!options.saved.empty()) describedNow(options, scene);  // before the work, not after it
+    if (!options.saved.empty()) describedNow(scene);  // before the work, not after it
     std::unique_ptr<Album> album;
     if (!options.frames.empty()) album = std::make_unique<Album>(options.frames);
     std::unique_ptr<Film> film;

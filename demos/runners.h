@@ -10,8 +10,12 @@ namespace drench::demo {
 /// @throws std::invalid_argument as the functions of that name in scene.h
 std::unique_ptr<Scene> makeScene(const RunOptions& options);
 
-/// Writes the scene file that the options ask for: the scene as it is now.
+/// The scene as it is now.
 /// @throws std::runtime_error for a scene that a scene file cannot hold
+SceneDescription describedNow(Scene& scene);
+
+/// Writes the scene file that the options ask for: the scene as it is now.
+/// @throws std::runtime_error as `describedNow`, and for a file that cannot be written
 void writeScene(const RunOptions& options, Scene& scene);
 
 /// Runs a scene to its end without a window: progress on stderr, the result on stdout and in files.

@@ -124,6 +124,9 @@ struct PoolDescription {
     Eigen::Vector2d from = Eigen::Vector2d::Constant(-1e9);  ///< least x and z
     Eigen::Vector2d to = Eigen::Vector2d::Constant(1e9);     ///< greatest x and z
     double bottom = 0;                                       ///< for the eye
+
+    /// Whether it has walls to see it through: sides of at most 1 km.
+    bool isBounded() const { return (to - from).maxCoeff() <= 1e3; }
 };
 
 /// Water put on the cloth within a circle; see drench::Soak.

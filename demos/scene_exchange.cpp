@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <stdexcept>
 
 #include "scene_exchange_common.h"
 #include "scene_exchange_sheet.h"

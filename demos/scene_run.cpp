@@ -2,11 +2,11 @@
 
 #include <chrono>
 #include <iostream>
-#include <stdexcept>
 
 #include "frame_name.h"
 #include "runners.h"
 #include "scene_file.h"
+#include "seconds_since.h"
 #include "stage.h"
 
 namespace drench::demo {
@@ -29,10 +29,6 @@ FrameTimes difference(const FrameTimes& from, const FrameTimes& to) {
     if (to.water < from.water) return to;
     return {to.supply - from.supply, to.water - from.water,       to.laws - from.laws,
             to.air - from.air,       to.contacts - from.contacts, to.solver - from.solver};
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -98,11 +94,7 @@ std::vector<Scene*> SceneRun::scenes() {
 }
 
 void SceneRun::save(const std::filesystem::path& file) {
-    const std::vector<Stage*> stages = scene_->stages();
-    if (stages.size() != 1)
-        throw std::runtime_error("this scene is played in " + std::to_string(stages.size()) +
-                                 " worlds, and a scene file holds one");
-    saveScene(file, stages[0]->describe());
+    saveScene(file, describedNow(*scene_));
 }
 
 viewer::Picture SceneRun::pictureOf(const Scene& scene, const Hand& hand) const {

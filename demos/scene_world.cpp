@@ -1,10 +1,10 @@
 #include "scene_world.h"
 
-#include <cmath>
-
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
+
+#include <cmath>
 
 #include "bullet_world.h"
 #include "deformable_world.h"

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vectors.h"
+
 namespace drench::demo {
 
 namespace {
 
 constexpr int mostCellsAlong = 96;
-
-Eigen::Vector3d toEigen3d(const btVector3& v) {
-    return {double(v.x()), double(v.y()), double(v.z())};
-}
 
 double meanLinkLength(const btSoftBody& sheet) {
     double sum = 0;
@@ -22,7 +20,7 @@ double meanLinkLength(const btSoftBody& sheet) {
 }  // namespace
 
 SheetCells::SheetCells(const btSoftBody& sheet) {
-    for (int n = 0; n < sheet.m_nodes.size(); ++n) box_.extend(toEigen3d(sheet.m_nodes[n].m_x));
+    for (int n = 0; n < sheet.m_nodes.size(); ++n) box_.extend(plainVector(sheet.m_nodes[n].m_x));
     if (box_.isEmpty() || !box_.min().allFinite() || !box_.max().allFinite()) {
         box_.setEmpty();
         return;
@@ -34,8 +32,8 @@ SheetCells::SheetCells(const btSoftBody& sheet) {
     taken_.assign(std::size_t(cells_.x()) * std::size_t(cells_.y()) * std::size_t(cells_.z()), 0);
     for (int f = 0; f < sheet.m_faces.size(); ++f) {
         const auto& corner = sheet.m_faces[f].m_n;
-        const Eigen::Vector3d a = toEigen3d(corner[0]->m_x), b = toEigen3d(corner[1]->m_x),
-                              c = toEigen3d(corner[2]->m_x);
+        const Eigen::Vector3d a = plainVector(corner[0]->m_x), b = plainVector(corner[1]->m_x),
+                              c = plainVector(corner[2]->m_x);
         // Corners, middles of the sides, middle: no farther apart than a cell.
         for (const Eigen::Vector3d& place : {a, b, c}) mark(place);
         for (const Eigen::Vector3d& sum :

@@ -18,14 +18,13 @@ class SheetCells {
     /// The share of the way from one place to another after which it meets the sheet, to within a cell; none
     /// if it does not.
     std::optional<double> firstMet(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
-    /// Of the grid, m: about the length of a link, or more for a sheet that spans far more than its links.
-    double cellSize() const { return size_; }
 
   private:
     std::size_t indexOf(const Eigen::Vector3i& cell) const;
     Eigen::Vector3i cellAt(const Eigen::Vector3d& place) const;
     void mark(const Eigen::Vector3d& place) { taken_[indexOf(cellAt(place))] = 1; }
 
+    // Of a cell, m: about the length of a link, or more for a sheet that spans far more than its links.
     double size_ = 0.02;
     Eigen::AlignedBox3d box_;
     Eigen::Vector3i cells_ = Eigen::Vector3i::Zero();

@@ -49,7 +49,7 @@ struct Snapshot {
     std::optional<Weather> weather;  ///< none where the scene makes its own
     FrameTimes times;
     double framesPerSecond = 0;  ///< simulated in a second of wall time, lately
-    std::string notice;          ///< what became of the last request to save; empty: none
+    std::string notice;          ///< of the last request to save or to change something; empty: none
     std::string trouble;         ///< why it stands still; empty if all is well
 };
 

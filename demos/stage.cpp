@@ -28,9 +28,7 @@ std::string namesOf(const List& list, NameOf nameOf) {
 }
 
 void showPool(viewer::Picture& picture, const PoolDescription& pool, double time) {
-    constexpr double widest = 1e3;  // m; beyond it the pool has no walls to see it through
     const Eigen::Vector2d size = pool.to - pool.from;
-    if (size.maxCoeff() > widest) return;
     const Eigen::Vector2d middle = (pool.from + pool.to) / 2;
     viewer::Water water;
     water.centre = {float(middle.x()), float(pool.level + pool.bottom) / 2, float(middle.y())};
@@ -152,7 +150,8 @@ void Stage::show(viewer::Picture& picture, View view) const {
     picture.legend = legend(view, cloths);
     for (const StageSolid& solid : solids_) solid.show(picture);
     for (const StageSource& source : sources_)
-        if (const auto* pool = std::get_if<PoolDescription>(&source.description().water))
+        if (const auto* pool = std::get_if<PoolDescription>(&source.description().water);
+            pool && pool->isBounded())
             showPool(picture, *pool, time_);
     effects_.show(picture);
     picture.camera = description_.camera;

@@ -66,7 +66,8 @@ class Stage {
     /// Steps of the last frame: small ones, or substeps.
     int stepsOfFrame() const { return world_->stepsOfFrame(substeps_); }
 
-    /// Adds everything that there is to see, its sheets as in the view, and looks at it with the camera of the description.
+    /// Adds everything that there is to see, its sheets as in the view, and looks at it with the camera of the
+    /// description.
     void show(viewer::Picture& picture, View view) const;
 
     /// The stage as it is now, with the pose and the water of each sheet. Drops in the air are left out.

@@ -1,7 +1,6 @@
 #include "stage_effects.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace drench::demo {
 
@@ -23,11 +22,6 @@ Eigen::AlignedBox3d showerOf(const SceneDescription& scene) {
             Eigen::Vector3d(middle.x() + half, top, middle.z() + half)};
 }
 
-bool isBounded(const PoolDescription& pool) {
-    constexpr double widest = 1e3;  // m
-    return (pool.to - pool.from).maxCoeff() < widest;
-}
-
 }  // namespace
 
 StageEffects::StageEffects(const btCollisionWorld& world, const SceneDescription& description)
@@ -41,7 +35,7 @@ void StageEffects::setPools(const std::vector<StageSource>& sources) {
     std::vector<Eigen::AlignedBox3d> pools;
     for (const StageSource& source : sources)
         if (const auto* pool = std::get_if<PoolDescription>(&source.description().water);
-            pool && isBounded(*pool))
+            pool && pool->isBounded())
             pools.emplace_back(Eigen::Vector3d(pool->from.x(), pool->bottom, pool->from.y()),
                                Eigen::Vector3d(pool->to.x(), pool->level, pool->to.y()));
     effects_->setPools(std::move(pools));

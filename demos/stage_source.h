@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "nozzle.h"
 #include "scene_cloth.h"
 #include "scene_description.h"
-#include "water_effects.h"
 
 namespace drench::demo {
 
@@ -38,7 +38,6 @@ class StageSource {
     };
 
     bool isDue(double time, double frameTime) const;
-    void refresh(Work& work) const;
 
     SourceDescription description_;
     std::vector<Work> works_;

@@ -1,4 +1,4 @@
-// Vectors of descriptions as Bullet has them, and back.
+// Vectors and turns as Bullet has them, and back.
 #pragma once
 
 #include <LinearMath/btQuaternion.h>
@@ -9,12 +9,18 @@
 
 namespace drench::demo {
 
-inline btVector3 bulletVector(const Eigen::Vector3d& v) {
+template <typename Vector>
+btVector3 bulletVector(const Eigen::MatrixBase<Vector>& v) {
     return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
 }
 
 inline Eigen::Vector3d plainVector(const btVector3& v) {
     return {double(v.x()), double(v.y()), double(v.z())};
+}
+
+/// As pictures have it.
+inline Eigen::Vector3f pictureVector(const btVector3& v) {
+    return {float(v.x()), float(v.y()), float(v.z())};
 }
 
 inline btQuaternion bulletTurn(const Eigen::Quaterniond& q) {

@@ -1,6 +1,5 @@
 #include "water_effects.h"
 
-#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <BulletSoftBody/btSoftBody.h>
 
 #include <algorithm>
@@ -9,6 +8,8 @@
 #include <string>
 
 #include "angles.h"
+#include "solid_ray.h"
+#include "vectors.h"
 
 namespace drench::demo {
 
@@ -36,23 +37,6 @@ double dropsPerVolume(double intensity) {
 double radiusOf(double mass) {
     return std::cbrt(3 * mass / (4 * pi * waterDensity));
 }
-
-btVector3 toBullet(const Eigen::Vector3d& v) {
-    return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
-}
-
-/// What a ray to solid things hits first; soft bodies and triggers let it pass.
-struct SolidRay final : btCollisionWorld::ClosestRayResultCallback {
-    SolidRay(const btVector3& from, const btVector3& to) : ClosestRayResultCallback(from, to) {
-        // Bullet's default ray misses a convex body that is less than a centimetre away.
-        m_flags |= btTriangleRaycastCallback::kF_UseGjkConvexCastRaytest;
-    }
-    bool needsCollision(btBroadphaseProxy* proxy) const override {
-        const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-        return object->getInternalType() != btCollisionObject::CO_SOFT_BODY && object->hasContactResponse() &&
-               ClosestRayResultCallback::needsCollision(proxy);
-    }
-};
 
 viewer::WaterDrop seen(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity, double radius) {
     return {position.cast<float>(), velocity.cast<float>(), float(radius)};
@@ -155,7 +139,7 @@ Eigen::Vector3d WaterEffects::randomDirection() {
 
 std::optional<WaterEffects::Hit> WaterEffects::hitBody(const Eigen::Vector3d& from,
                                                        const Eigen::Vector3d& to) const {
-    SolidRay ray(toBullet(from), toBullet(to));
+    SolidRay ray(bulletVector(from), bulletVector(to));
     world_.rayTest(ray.m_rayFromWorld, ray.m_rayToWorld, ray);
     if (!ray.hasHit()) return std::nullopt;
     return Hit{from + double(ray.m_closestHitFraction) * (to - from), ray.m_collisionObject};

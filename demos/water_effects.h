@@ -5,7 +5,6 @@
 #include <drench/drench.h>
 
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <optional>
 #include <random>
 #include <vector>

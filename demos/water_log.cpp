@@ -1,7 +1,6 @@
 #include "water_log.h"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace drench::demo {
 
@@ -47,15 +46,6 @@ void WaterLog::note(Scene& scene) {
                                area > 0 ? filled / area : 0.0};
     for (const double value : scene.row()) row.push_back(value);
     table_.rows.push_back(std::move(row));
-}
-
-double largestImbalance(Scene& scene) {
-    double largest = 0;
-    for (const SceneSheet& sheet : scene.sheets()) {
-        const Ledger ledger = sheet.cloth->ledger();
-        if (ledger.supplied > 0) largest = std::max(largest, std::abs(ledger.imbalance()) / ledger.supplied);
-    }
-    return largest;
 }
 
 }  // namespace drench::demo

@@ -21,7 +21,4 @@ class WaterLog {
     Table table_;
 };
 
-/// Largest imbalance of the ledgers of a scene's sheets, relative to what was supplied to each.
-double largestImbalance(Scene& scene);
-
 }  // namespace drench::demo

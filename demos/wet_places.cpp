@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "angles.h"
+#include "vectors.h"
 
 namespace drench::demo {
 
@@ -22,14 +23,6 @@ double radiusOf(double area) {
 
 double areaFor(double mass) {
     return std::min(mass / WetPlaces::layer, pi * WetPlaces::largestRadius * WetPlaces::largestRadius);
-}
-
-Eigen::Vector3d toEigen3d(const btVector3& v) {
-    return {double(v.x()), double(v.y()), double(v.z())};
-}
-
-btVector3 toBullet(const Eigen::Vector3d& v) {
-    return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
 }
 
 }  // namespace
@@ -56,7 +49,7 @@ WetPlaces::Place* WetPlaces::nearest(const btCollisionObject& body, const Eigen:
 
 void WetPlaces::wet(const btCollisionObject& body, const Eigen::Vector3d& place, double mass, float outline) {
     if (!(mass > 0)) return;
-    const Eigen::Vector3d inBody = toEigen3d(body.getWorldTransform().invXform(toBullet(place)));
+    const Eigen::Vector3d inBody = plainVector(body.getWorldTransform().invXform(bulletVector(place)));
     // The less room there is for other places, the farther water goes to join one.
     const double room = 1 - double(places_.size()) / double(most_);
     const double reach = largestRadius * std::pow(std::clamp(1 - 2 * room, 0.0, 1.0), 2);
@@ -102,12 +95,11 @@ double WetPlaces::mass() const {
 void WetPlaces::show(viewer::Picture& picture) const {
     for (const Place& place : places_) {
         const btTransform& frame = place.body->getWorldTransform();
-        const btQuaternion turn = frame.getRotation();
         viewer::WetPatch patch;
-        patch.centre = toEigen3d(frame * toBullet(place.inBody)).cast<float>();
+        patch.centre = pictureVector(frame * bulletVector(place.inBody));
         patch.radius = float(radiusOf(place.area));
         patch.wetness = float(std::min(1.0, place.mass / (darkUntil * layer * place.area)));
-        patch.orientation = {float(turn.w()), float(turn.x()), float(turn.y()), float(turn.z())};
+        patch.orientation = plainTurn(frame.getRotation()).cast<float>();
         patch.outline = place.outline;
         picture.patches.push_back(patch);
     }

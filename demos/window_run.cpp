@@ -8,6 +8,7 @@
 #include "panel_groups.h"
 #include "picture_size.h"
 #include "runners.h"
+#include "seconds_since.h"
 #include "viewer/image.h"
 #include "viewer/picking.h"
 
@@ -48,10 +49,6 @@ PanelState stateFor(const RunOptions& options) {
     state.fabricChosen =
         !options.described && options.sceneOptions.fabric != sceneByName(options.scene).fabric;
     return state;
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "../angles.h"
-#include "../vectors.h"
 #include "scene_texts.h"
 
 namespace drench::demo {

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <iomanip>
 #include <limits>
 #include <ostream>
 #include <sstream>
 
 #include "../angles.h"
-#include "../pictures.h"
+#include "../vectors.h"
 #include "scene_texts.h"
 
 namespace drench::demo {
@@ -185,7 +184,7 @@ void Clothesline::showPegs(viewer::Picture& picture) const {
     const Eigen::Vector3f plastic(0.55f, 0.10f, 0.06f);
     for (const int peg : pegs_) {
         const Eigen::Vector3f middle =
-            0.5f * (toEigen(cloth().node(peg, 0).m_x) + toEigen(cloth().node(peg + 1, 0).m_x));
+            0.5f * (pictureVector(cloth().node(peg, 0).m_x) + pictureVector(cloth().node(peg + 1, 0).m_x));
         picture.rods.push_back({middle - Eigen::Vector3f(0, 0.03f, 0), middle + Eigen::Vector3f(0, 0.03f, 0),
                                 0.009f, plastic, viewer::Material::paint});
     }

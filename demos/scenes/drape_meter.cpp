@@ -20,7 +20,7 @@ constexpr double pedestalHeight = 0.12;   // m
 constexpr double axes[] = {-0.18, 0.18};  // m, x of the pedestals'
 constexpr double roughness = 5e-5;        // m, of the cloth as it lies; without it nothing would fold
 constexpr double fallDamping = 2;         // 1/s, for the air
-constexpr double slowest = 5e-4;          // m/s, mean speed below which a disc is at rest
+constexpr double slowest = 5e-4;          // m/s, of a disc, below which it counts as at rest
 constexpr double shortest = 1;            // s
 constexpr int stillFrames = 15;           // in a row
 

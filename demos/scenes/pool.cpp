@@ -5,7 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "../pictures.h"
+#include "../vectors.h"
 #include "scene_texts.h"
 
 namespace drench::demo {
@@ -102,7 +102,7 @@ void Dip::showBar(viewer::Picture& picture) const {
     const float y = float(barHeight()) + 0.03f, reach = float(cloth().madeFrom().warp.norm()) / 2 + 0.05f;
     picture.rods.push_back({{-reach, y, 0}, {reach, y, 0}, float(barRadius), {0.30f, 0.22f, 0.15f}});
     for (const int node : held_) {
-        const Eigen::Vector3f clip = toEigen(cloth().body().m_nodes[node].m_x);
+        const Eigen::Vector3f clip = pictureVector(cloth().body().m_nodes[node].m_x);
         picture.rods.push_back(
             {clip, {clip.x(), y, clip.z()}, 0.006f, {0.5f, 0.5f, 0.5f}, viewer::Material::metal});
     }

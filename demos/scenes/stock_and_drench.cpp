@@ -9,6 +9,7 @@
 
 #include "../angles.h"
 #include "../pictures.h"
+#include "../seconds_since.h"
 #include "../stage.h"
 #include "../staged_scene.h"
 #include "../vectors.h"
@@ -65,7 +66,7 @@ class StockAndDrench::Exhibit {
     void advance() {
         const auto before = std::chrono::steady_clock::now();
         stage_->step(frameTime);
-        computing_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+        computing_ += secondsSince(before);
         ++frames_;
     }
 

@@ -10,8 +10,9 @@
 #include <sstream>
 
 #include "../angles.h"
-#include "../pictures.h"
+#include "../seconds_since.h"
 #include "../staged_scene.h"
+#include "../vectors.h"
 #include "scene_texts.h"
 
 namespace drench::demo {
@@ -137,7 +138,7 @@ void TenSteps::advance() {
 
     const auto before = std::chrono::steady_clock::now();
     stage_->step(frameTime);
-    computing_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    computing_ += secondsSince(before);
     ++frames_;
     phaseTime_ += frameTime;
     totalTime_ += frameTime;
@@ -259,7 +260,8 @@ std::string TenSteps::status() const {
 
 void TenSteps::showLine(viewer::Picture& picture) const {
     const int last = sheet().nodesWarp() - 1;
-    const Eigen::Vector3f left = toEigen(sheet().node(0, 0).m_x), right = toEigen(sheet().node(last, 0).m_x);
+    const Eigen::Vector3f left = pictureVector(sheet().node(0, 0).m_x),
+                          right = pictureVector(sheet().node(last, 0).m_x);
     const Eigen::Vector3f beyond(0.35f, 0, 0), behind(0, 0, -0.012f);
     const Eigen::Vector3f wood(0.30f, 0.22f, 0.15f), rope(0.62f, 0.58f, 0.50f);
     picture.rods.push_back(
@@ -267,7 +269,7 @@ void TenSteps::showLine(viewer::Picture& picture) const {
     for (const Eigen::Vector3f& end : {Eigen::Vector3f(left - beyond), Eigen::Vector3f(right + beyond)})
         picture.rods.push_back({{end.x(), 0, end.z()}, {end.x(), end.y() + 0.1f, end.z()}, 0.04f, wood});
     for (const int i : {0, heldNodes - 1, last + 1 - heldNodes, last}) {
-        const Eigen::Vector3f peg = toEigen(sheet().node(i, 0).m_x);
+        const Eigen::Vector3f peg = pictureVector(sheet().node(i, 0).m_x);
         picture.rods.push_back(
             {peg - Eigen::Vector3f(0, 0.05f, 0), peg + Eigen::Vector3f(0, 0.03f, 0), 0.014f, wood});
     }

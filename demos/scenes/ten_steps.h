@@ -1,7 +1,6 @@
 // The wetting experiment: a hanging sheet, dry and then with ten amounts of water up to saturation.
 #pragma once
 
-#include <array>
 #include <memory>
 
 #include "../scene.h"

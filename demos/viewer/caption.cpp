@@ -3,7 +3,6 @@
 #include <backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "viewer/caption_text.h"
@@ -22,8 +21,10 @@ float heightOf(const std::string& line, float width) {
 }
 
 float heightOf(const std::vector<std::string>& lines, float width) {
-    float height = 0;
-    for (const std::string& line : lines) height += heightOf(line, width);
+    float height = 0.0f;
+    for (const std::string& line : lines) {
+        height += heightOf(line, width);
+    }
     return height;
 }
 

@@ -4,7 +4,6 @@
 #include <epoxy/gl.h>
 
 #include <atomic>
-#include <string>
 
 namespace drench::viewer {
 

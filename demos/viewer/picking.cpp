@@ -1,6 +1,5 @@
 #include "viewer/picking.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

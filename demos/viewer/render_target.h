@@ -1,9 +1,6 @@
 // Framebuffers to draw into and read back.
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
 #include "viewer/gl_object.h"
 #include "viewer/image.h"
 

@@ -87,7 +87,6 @@ void main() {
     s.albedo = soil.albedo;
     s.reflectance = 0.0;
     s.roughness = 1.0;
-    s.translucency = 0.0;
     s.openness = opennessAmongBalls(position, up);
     float wet = wetnessHere() * mix(0.35, 1.0, paved);
     // A film of water lies smoothly over what is uneven.

@@ -164,7 +164,7 @@ float opennessAboveGround(vec3 position, vec3 normal) {
 }
 )";
 
-// Diffuse cloth or paint under a smooth coat (F0, roughness), lit by the sun and the sky.
+// What no light passes through, under a smooth coat (F0, roughness), lit by the sun and the sky.
 inline constexpr char material[] = R"(
 struct Surface {
     vec3 position;
@@ -172,7 +172,6 @@ struct Surface {
     vec3 albedo;
     float reflectance;
     float roughness;
-    float translucency;
     float openness;
 };
 
@@ -196,13 +195,11 @@ float sunGlint(Surface s, vec3 towardsEye, float facingSun, float facingEye) {
 vec3 shaded(Surface s) {
     vec3 towardsEye = normalize(eye.xyz - s.position);
     float facingEye = max(dot(s.normal, towardsEye), 0.02);
-    float towards = dot(s.normal, towardsSun.xyz);
-    float facingSun = max(towards, 0.0);
+    float facingSun = max(dot(s.normal, towardsSun.xyz), 0.0);
     vec3 sun = sunLight * sunVisible(s.position, s.normal);
 
     vec3 front = sun * facingSun + ambientLight(s.normal) * s.openness;
-    vec3 back = sun * max(-towards, 0.0) + ambientLight(-s.normal) * s.openness;
-    vec3 colour = s.albedo * (front * (1.0 - s.translucency) + back * s.translucency * sqrt(s.albedo));
+    vec3 colour = s.albedo * front;
 
     // Rough surfaces lose most of the grazing shine.
     float smoothness = 1.0 - s.roughness;

@@ -128,7 +128,6 @@ vec3 shadedSolid(int material, Finish finish, vec3 position, vec3 normal, float 
     s.albedo = finish.albedo;
     s.reflectance = finish.reflectance;
     s.roughness = finish.roughness;
-    s.translucency = 0.0;
     s.openness = openness;
     float wet = wetnessHere();
     if (material == metal) {

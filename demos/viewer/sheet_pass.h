@@ -14,7 +14,8 @@ class SheetPass {
     // Needs a current OpenGL context; throws as ShaderProgram does.
     SheetPass();
 
-    // Replaces the sheets by those of the picture, and adds the positions of those that can be drawn to `casters`. Throws as sheetSurface does.
+    // Replaces the sheets by those of the picture, and adds the positions of those that can be drawn to
+    // `casters`. Throws as sheetSurface does.
     void upload(const Picture& picture, std::vector<Eigen::Vector3f>& casters);
     bool empty() const { return count_ == 0; }
     // Draws into the bound shadow map.

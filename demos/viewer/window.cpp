@@ -11,7 +11,6 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <thread>
 
 #include "viewer/fonts.h"

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "angles.h"
 #include "cloth_disc.h"
 
 namespace drench::demo {
@@ -53,6 +55,26 @@ TEST(DrapeMeter, DiscIsRoundAndItsTrianglesAreGood) {
             }
         EXPECT_NEAR(area / (0.15 * 0.15 * 3.14159265), 1, 0.006) << across;
         EXPECT_GT(smallestAngle, 0.35) << across;  // 20 degrees
+    }
+}
+
+/// Largest angle between neighbours among the nodes on a circle round the origin, rad.
+double widestGap(const DiscMesh& mesh, double radius) {
+    std::vector<double> angles;
+    for (const Eigen::Vector2d& node : mesh.nodes)
+        if (std::abs(node.norm() / radius - 1) < 1e-9) angles.push_back(std::atan2(node.y(), node.x()));
+    std::sort(angles.begin(), angles.end());
+    double widest = angles.front() + 2 * pi - angles.back();
+    for (std::size_t i = 1; i < angles.size(); ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
+    return widest;
+}
+
+TEST(DrapeMeter, RimHasItsNodesEvenlyAtAnySize) {
+    constexpr double radius = 0.15;
+    for (int across = 10; across <= 64; ++across) {
+        const double cell = 2 * radius / (across - 1);
+        const auto onTheRim = double(std::lround(2 * pi * radius / cell));
+        EXPECT_NEAR(widestGap(discMesh(radius, across, 0.09), radius), 2 * pi / onTheRim, 1e-9) << across;
     }
 }
 

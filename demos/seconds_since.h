@@ -1,0 +1,13 @@
+// How long something took.
+#pragma once
+
+#include <chrono>
+
+namespace drench::demo {
+
+/// Wall time since a moment, s.
+inline double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace drench::demo
