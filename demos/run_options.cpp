@@ -48,69 +48,81 @@ void choose(SceneOptions& options, const std::string& solver, const std::string&
                                    "out, or take --world soft-rigid");
 }
 
-/// Which of the options that a scene has of its own were given.
-struct Given {
-    bool fabric, seed;
+/// The options that a scene has a choice of its own for.
+struct OwnChoices {
+    const CLI::Option* fabric;
+    const CLI::Option* seed;
 };
 
 /// Fills in what the scene has of its own, where nothing else was asked for.
-void takeFromScene(RunOptions& run, const std::string& file, const Given& given) {
+void takeFromScene(RunOptions& run, const std::string& file, const OwnChoices& own) {
     SceneOptions& options = run.sceneOptions;
     if (file.empty()) {
-        if (!run.scene.empty() && !given.fabric) options.fabric = sceneByName(run.scene).fabric;
+        if (!run.scene.empty() && own.fabric->empty()) options.fabric = sceneByName(run.scene).fabric;
         return;
     }
     run.described = loadScene(file);
     run.scene = run.described->name;
     options.world = run.described->solver.world;
     options.solver = run.described->solver.solver;
-    if (!given.fabric) options.fabric.clear();
-    if (!given.seed) options.seed = run.described->seed;
+    if (own.fabric->empty()) options.fabric.clear();
+    if (own.seed->empty()) options.seed = run.described->seed;
 }
 
-}  // namespace
-
-ParsedOptions parseOptions(int argc, char** argv) {
-    ParsedOptions parsed;
-    RunOptions& run = parsed.options;
+/// What the command line says in words of its own, from which options follow.
+struct Words {
+    std::string file, solver, world;
+    std::string view = "beauty";
     bool list = false, dry = false;
-    std::string solver, world, file, view = "beauty";
+};
 
-    CLI::App app{"Wet cloth on Bullet soft bodies. Opens a window unless --headless is given.",
-                 "drench-demo"};
+/// Which scene, and what it is like.
+OwnChoices addSceneOptions(CLI::App& app, RunOptions& run, Words& words) {
     CLI::Option* const scene = app.add_option("SCENE", run.scene, "which scene to run; --list names them")
                                    ->check(CLI::IsMember(sceneNames()));
-    app.add_option("--scene-file", file, "run the scene of this JSON file; see docs/scene-files.md")
+    app.add_option("--scene-file", words.file, "run the scene of this JSON file; see docs/scene-files.md")
         ->excludes(scene);
-    app.add_option("--save-scene", run.saved, "write the scene as it is at the end to this scene file");
-    app.add_flag("--list", list, "list the scenes and stop");
-    app.add_flag("--headless", run.headless, "run without a window; exits with 1 if the scene's check fails");
+    app.add_flag("--list", words.list, "list the scenes and stop");
     app.add_option("--seconds", run.sceneOptions.seconds,
                    "simulated seconds after which to end [the scene's own]")
         ->check(secondsInRange());
     app.add_option("--resolution", run.sceneOptions.resolution, "nodes along the warp [the scene's own]")
         ->check(CLI::Range(8, 512));
-    const CLI::Option* fabric = app.add_option("--fabric", run.sceneOptions.fabric,
-                                               "the cloth [cotton; slide: polyester; as in a scene file]")
-                                    ->check(CLI::IsMember(fabrics::names()));
-    app.add_option(
-        "--csv", run.csv,
-        "write the water of each frame to this file; ten-steps: its result, and the water beside it");
+    const CLI::Option* const fabric =
+        app.add_option("--fabric", run.sceneOptions.fabric,
+                       "the cloth [cotton; slide: polyester; as in a scene file]")
+            ->check(CLI::IsMember(fabrics::names()));
+    app.add_option("--solver", words.solver,
+                   "what moves the sheets: Drench's small steps, or stock Bullet's solver in many substeps "
+                   "[small-step]")
+        ->check(CLI::IsMember({"small-step", "stock"}));
+    app.add_option("--world", words.world,
+                   "Bullet's soft-rigid world, or its deformable one, with Bullet's own solver [soft-rigid]")
+        ->check(CLI::IsMember({"soft-rigid", "deformable"}));
+    const CLI::Option* const seed = app.add_option("--seed", run.sceneOptions.seed,
+                                                   "seed of the random numbers [1; that of a scene file]");
+    app.add_flag("--dry", words.dry, "the same scene with nothing that brings water, and without its check");
+    return {fabric, seed};
+}
+
+/// What is written, and what pictures show.
+void addOutputOptions(CLI::App& app, RunOptions& run, Words& words) {
+    app.add_option("--save-scene", run.saved, "write the scene as it is at the end to this scene file");
+    app.add_option("--csv", run.csv,
+                   "write the water of each frame to this file, or the scene's result where it has one, and "
+                   "the water beside it");
     app.add_option("--frames", run.frames, "write pictures (PNG) into this folder");
-    app.add_option("--view", view,
+    app.add_option("--view", words.view,
                    "what pictures show of the sheets: their looks, water content, film or strain [beauty]")
         ->check(CLI::IsMember({"beauty", "content", "film", "strain"}));
     app.add_option("--record", run.record, "make a film of the run, such as out.mp4, with ffmpeg");
     app.add_option("--every", run.every,
                    "a picture each so many frames of 1/60 s [the scene's own moments; of a film each frame]")
         ->check(CLI::Range(1, 1000000));
-    app.add_option("--solver", solver,
-                   "what moves the sheets: Drench's small steps, or stock Bullet's solver in many substeps "
-                   "[small-step]")
-        ->check(CLI::IsMember({"small-step", "stock"}));
-    app.add_option("--world", world,
-                   "Bullet's soft-rigid world, or its deformable one, with Bullet's own solver [soft-rigid]")
-        ->check(CLI::IsMember({"soft-rigid", "deformable"}));
+}
+
+void addWindowOptions(CLI::App& app, RunOptions& run) {
+    app.add_flag("--headless", run.headless, "run without a window; exits with 1 if the scene's check fails");
     app.add_option("--size", run.windowSize, "width and height of the window [1280 720]")
         ->check(CLI::Range(100, 16384));
     app.add_option("--speed", run.speed,
@@ -119,17 +131,26 @@ ParsedOptions parseOptions(int argc, char** argv) {
     app.add_flag("--timings", run.timings,
                  "say on stderr when the window's first picture came, and how many a second");
     app.add_flag("--quit-at-end", run.quitAtEnd, "close the window when the scene has come to its end");
-    const CLI::Option* seed = app.add_option("--seed", run.sceneOptions.seed,
-                                             "seed of the random numbers [1; that of a scene file]");
-    app.add_flag("--dry", dry, "the same scene with nothing that brings water, and without its check");
+}
 
+}  // namespace
+
+ParsedOptions parseOptions(int argc, char** argv) {
+    ParsedOptions parsed;
+    RunOptions& run = parsed.options;
+    Words words;
+    CLI::App app{"Wet cloth on Bullet soft bodies. Opens a window unless --headless is given.",
+                 "drench-demo"};
+    const OwnChoices own = addSceneOptions(app, run, words);
+    addOutputOptions(app, run, words);
+    addWindowOptions(app, run);
     try {
         app.parse(argc, argv);
-        takeFromScene(run, file, {fabric->count() > 0, seed->count() > 0});
-        choose(run.sceneOptions, solver, world);
-        run.sceneOptions.water = !dry;
-        run.view = viewOf(view);
-        if (list) {
+        takeFromScene(run, words.file, own);
+        choose(run.sceneOptions, words.solver, words.world);
+        run.sceneOptions.water = !words.dry;
+        run.view = viewOf(words.view);
+        if (words.list) {
             listScenes();
             parsed.exitStatus = 0;
         } else if (run.scene.empty()) {

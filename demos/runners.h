@@ -1,4 +1,4 @@
-// The two ways to run a scene.
+// The two ways to run a scene, and what both make and write.
 #pragma once
 
 #include "run_options.h"

@@ -154,7 +154,9 @@ void exchangeWater(Fields& fields, PoolDescription& pool) {
     if constexpr (Fields::reads) {
         if (!((pool.to - pool.from).minCoeff() > 0))
             fields.refuse("greatestCorner", "is not beyond leastCorner; give larger x and z");
-        if (!(pool.bottom < pool.level)) fields.refuse("bottom", "is not below the level of the pool");
+        if (!(pool.bottom < pool.level))
+            fields.refuse("bottom", "is " + shown(pool.bottom) + ", not below the level of the pool, " +
+                                        shown(pool.level) + "; give a lower bottom or a higher level");
     }
 }
 

@@ -6,6 +6,7 @@
 #include "viewer/shaders_airborne.h"
 #include "viewer/shaders_lighting.h"
 #include "viewer/shaders_noise.h"
+#include "viewer/shaders_places.h"
 
 namespace drench::viewer {
 
@@ -74,9 +75,9 @@ AirborneWater::AirborneWater()
                     shaders::dropFragment}),
       streakProgram_("streak", {shaders::frame, shaders::airborne, shaders::streakVertex},
                      {shaders::frame, shaders::sky, shaders::streakFragment}),
-      puffProgram_("puff of mist", {shaders::frame, shaders::sunInAir, shaders::puffVertex},
-                   {shaders::frame, shaders::sky, shaders::noise, shaders::airborne, shaders::puffFragment}) {
-}
+      puffProgram_(
+          "puff of mist", {shaders::frame, shaders::sunInAir, shaders::puffVertex},
+          {shaders::frame, shaders::sky, shaders::noise, shaders::placeBehind, shaders::puffFragment}) {}
 
 void AirborneWater::upload(const Picture& picture) {
     drops_.upload(dropInstances(picture.drops));

@@ -28,10 +28,10 @@ FrameUniforms cameraUniforms(const Picture& picture, const std::vector<Ball>& ba
     const Eigen::Matrix4f projection = picture.camera.projection(static_cast<float>(width) / rows);
     const Eigen::Matrix4f clipFromWorld = projection * picture.camera.view();
     uniforms.clipFromWorld = clipFromWorld;
-    // The sky needs directions only, and rays from the eye stay exact however far the far plane is.
+    // From the eye, so that rays stay exact however far the far plane is.
     Eigen::Matrix4f turned = picture.camera.view();
     turned.topRightCorner<3, 1>().setZero();
-    uniforms.worldFromClip = (projection * turned).inverse();
+    uniforms.offsetFromClip = (projection * turned).inverse();
     uniforms.shadowFromWorld = shadow.clipFromWorld;
     uniforms.eye = packed(picture.camera.eye(), 1.0f);
     uniforms.towardsSun = packed(picture.towardsSun.normalized(), 0.0f);

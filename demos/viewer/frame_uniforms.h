@@ -14,7 +14,8 @@ struct FrameUniforms {
     static constexpr std::size_t mostBalls = 8;
 
     Eigen::Matrix<float, 4, 4, Eigen::DontAlign> clipFromWorld;
-    Eigen::Matrix<float, 4, 4, Eigen::DontAlign> worldFromClip;
+    // To where a place is from the eye.
+    Eigen::Matrix<float, 4, 4, Eigen::DontAlign> offsetFromClip;
     Eigen::Matrix<float, 4, 4, Eigen::DontAlign> shadowFromWorld;
     std::array<float, 4> eye;
     std::array<float, 4> towardsSun;

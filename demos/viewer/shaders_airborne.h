@@ -3,10 +3,9 @@
 
 namespace drench::viewer::shaders {
 
-// What all of them need: their own scale on the screen, and what is behind them.
+// Their own scale on the screen, and the finished picture.
 inline constexpr char airborne[] = R"(
 uniform sampler2D scene;
-uniform sampler2D sceneDepth;
 
 float metresPerPixel(vec3 place) {
     return lens.z * distance(place, eye.xyz);
@@ -164,13 +163,11 @@ out vec3 position;
 flat out vec4 ball;
 flat out float thickness;
 flat out float sun;
-flat out mat4 worldFromScreen;
 
 void main() {
     ball = centreAndRadius;
     thickness = density.x;
     sun = sunAt(ball.xyz);
-    worldFromScreen = inverse(clipFromWorld);
     vec3 towardsEye = normalize(eye.xyz - ball.xyz);
     vec3 helper = abs(towardsEye.y) < 0.95 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
     vec3 right = normalize(cross(helper, towardsEye));
@@ -187,7 +184,6 @@ in vec3 position;
 flat in vec4 ball;
 flat in float thickness;
 flat in float sun;
-flat in mat4 worldFromScreen;
 out vec4 colour;
 
 void main() {
@@ -195,10 +191,8 @@ void main() {
     if (inside <= 0.0) {
         discard;
     }
-    vec2 size = vec2(textureSize(sceneDepth, 0));
-    float depth = texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r;
-    vec4 solid = worldFromScreen * vec4(vec3(gl_FragCoord.xy / size, depth) * 2.0 - 1.0, 1.0);
-    float beforeSolid = distance(solid.xyz / solid.w, eye.xyz) - distance(position, eye.xyz);
+    vec3 solid = placeBehind(ivec2(gl_FragCoord.xy));
+    float beforeSolid = distance(solid, eye.xyz) - distance(position, eye.xyz);
     float reach = ball.w * sqrt(inside);
     float open = clamp(0.5 + 0.5 * beforeSolid / max(reach, 1e-5), 0.0, 1.0);
     // Clouds are uneven, and fade out at their rims.

@@ -120,7 +120,7 @@ float clouds(vec3 direction) {
 }
 
 void main() {
-    vec4 ray = worldFromClip * vec4(screen, 1.0, 1.0);
+    vec4 ray = offsetFromClip * vec4(screen, 1.0, 1.0);
     vec3 direction = normalize(ray.xyz / ray.w);
     float clear = smoothstep(0.0, 0.35, direction.y);
     vec3 light = skyLight(direction) * (1.0 + 0.16 * clear * clouds(direction));

@@ -7,7 +7,7 @@ namespace drench::viewer::shaders {
 inline constexpr char frame[] = R"(
 layout(std140) uniform Frame {
     mat4 clipFromWorld;
-    mat4 worldFromClip;
+    mat4 offsetFromClip;
     mat4 shadowFromWorld;
     vec4 eye;
     vec4 towardsSun;

@@ -15,10 +15,6 @@ flat out float radius;
 flat out vec3 albedo;
 flat out int material;
 
-vec3 turned(vec3 vector, vec4 turn) {
-    return vector + 2.0 * cross(turn.xyz, cross(turn.xyz, vector) + turn.w * vector);
-}
-
 void main() {
     onBall = unitSphere.xyz;
     normal = turned(onBall, orientation);
@@ -130,10 +126,6 @@ flat out vec3 normal;
 flat out vec3 extents;
 flat out vec3 albedo;
 flat out int material;
-
-vec3 turned(vec3 vector, vec4 turn) {
-    return vector + 2.0 * cross(turn.xyz, cross(turn.xyz, vector) + turn.w * vector);
-}
 
 void main() {
     vec3 corner = cornerAndAxis.xyz;

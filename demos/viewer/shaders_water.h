@@ -12,7 +12,6 @@ flat out vec3 normal;
 flat out vec3 centre;
 flat out vec3 extents;
 flat out float time;
-flat out mat4 worldFromScreen;
 
 void main() {
     vec3 corner = cornerAndAxis.xyz;
@@ -21,7 +20,6 @@ void main() {
     extents = halfExtents.xyz;
     time = centreAndTime.w;
     position = centre + extents * corner;
-    worldFromScreen = inverse(clipFromWorld);
     gl_Position = clipFromWorld * vec4(position, 1.0);
 }
 )";
@@ -33,11 +31,9 @@ flat in vec3 normal;
 flat in vec3 centre;
 flat in vec3 extents;
 flat in float time;
-flat in mat4 worldFromScreen;
 out vec4 colour;
 
 uniform sampler2D scene;
-uniform sampler2D sceneDepth;
 
 // More than clear water takes, so that a tank of half a metre shows it; 1/m.
 const vec3 absorption = vec3(0.75, 0.30, 0.24);
@@ -70,13 +66,6 @@ vec3 rippled() {
     return normalize(vec3(-rise.x, 1.0, -rise.y));
 }
 
-vec3 behind(ivec2 pixel) {
-    vec2 size = vec2(textureSize(sceneDepth, 0));
-    vec3 screen = vec3((vec2(pixel) + 0.5) / size, texelFetch(sceneDepth, pixel, 0).r) * 2.0 - 1.0;
-    vec4 point = worldFromScreen * vec4(screen, 1.0);
-    return point.xyz / point.w;
-}
-
 // How far a ray from here goes until it leaves the water.
 float wayThrough(vec3 direction) {
     vec3 steady = mix(vec3(1e-5), direction, greaterThan(abs(direction), vec3(1e-5)));
@@ -100,7 +89,7 @@ float firstHidden(vec3 way, float from, float to) {
     for (int i = 0; i < 6; ++i) {
         float middle = 0.5 * (from + to);
         vec3 place = position + middle * way;
-        bool hidden = distance(behind(pixelOf(place)), eye.xyz) < distance(place, eye.xyz);
+        bool hidden = distance(placeBehind(pixelOf(place)), eye.xyz) < distance(place, eye.xyz);
         from = hidden ? from : middle;
         to = hidden ? middle : to;
     }
@@ -109,7 +98,7 @@ float firstHidden(vec3 way, float from, float to) {
 
 // Whether the camera sees something at a place, or only something that the place is behind.
 bool isSeen(vec3 place) {
-    return distance(place, behind(pixelOf(place))) < 0.03;
+    return distance(place, placeBehind(pixelOf(place))) < 0.03;
 }
 
 // Where a ray into the water meets something that the camera sees, as a share of its way; 1 if nowhere.
@@ -118,7 +107,7 @@ float firstMet(vec3 way) {
     float thickness = 2.0 * length(way) / float(steps);
     for (int i = 1; i <= steps; ++i) {
         vec3 place = position + float(i) / float(steps) * way;
-        vec3 seen = behind(pixelOf(place));
+        vec3 seen = placeBehind(pixelOf(place));
         float behindIt = distance(place, eye.xyz) - distance(seen, eye.xyz);
         if (behindIt > 0.0 && behindIt < thickness && inWater(seen)) {
             float met = firstHidden(way, float(i - 1) / float(steps), float(i) / float(steps));
@@ -151,7 +140,7 @@ float caustics(vec3 place, float down) {
 
 // Whether a pixel shows not what is at a place, or beyond the water there, but something before it.
 bool hides(ivec2 pixel, vec3 place) {
-    vec3 seen = behind(pixel);
+    vec3 seen = placeBehind(pixel);
     bool beforeWater = dot(seen - position, normal) > 0.0;
     return beforeWater || (inWater(seen) && distance(seen, eye.xyz) < distance(place, eye.xyz) - 0.04);
 }
@@ -200,7 +189,7 @@ vec3 mirroredScene(vec3 direction, float roughness) {
         if (clip.w <= 0.0 || max(edge.x, edge.y) > 1.0) {
             return around;
         }
-        float behindIt = distance(place, eye.xyz) - distance(behind(pixelOf(place)), eye.xyz);
+        float behindIt = distance(place, eye.xyz) - distance(placeBehind(pixelOf(place)), eye.xyz);
         if (behindIt > 0.0 && behindIt < 0.02 + 1.5 * (far - before)) {
             vec3 met = position + firstHidden(direction, before, far) * direction;
             if (isSeen(met)) {
@@ -228,7 +217,7 @@ void main() {
     // Light came down through the water before it came up.
     float down = clamp(centre.y + extents.y - met.y, 0.0, 2.0 * extents.y);
     vec3 kept = exp(-absorption * (distance(met, position) + down));
-    if (inWater(behind(pixel))) {
+    if (inWater(placeBehind(pixel))) {
         below *= mix(1.0, caustics(met, down), smoothstep(0.0, 0.1, down));
     }
     below = below * kept + scattered * (1.0 - kept);

@@ -11,7 +11,6 @@ layout(location = 2) in vec4 wetnessAndOutline;
 flat out vec4 ball;
 flat out vec4 turn;
 flat out vec2 kind;
-flat out mat4 worldFromScreen;
 
 void main() {
     const float margin = 1.35;
@@ -23,7 +22,6 @@ void main() {
     ball = centreAndRadius;
     turn = orientation;
     kind = wetnessAndOutline.xy;
-    worldFromScreen = inverse(clipFromWorld);
     vec3 place = ball.xyz + margin * ball.w * (corner.x * right + corner.y * up);
     gl_Position = clipFromWorld * vec4(place, 1.0);
 }
@@ -34,20 +32,11 @@ inline constexpr char patchFragment[] = R"(
 flat in vec4 ball;
 flat in vec4 turn;
 flat in vec2 kind;
-flat in mat4 worldFromScreen;
 out vec4 colour;
 
-uniform sampler2D sceneDepth;
-
-vec3 turnedBack(vec3 vector, vec4 by) {
-    return vector + 2.0 * cross(-by.xyz, cross(-by.xyz, vector) + by.w * vector);
-}
-
 void main() {
-    vec2 size = vec2(textureSize(sceneDepth, 0));
-    float depth = texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r;
-    vec4 point = worldFromScreen * vec4(vec3(gl_FragCoord.xy / size, depth) * 2.0 - 1.0, 1.0);
-    vec3 within = turnedBack(point.xyz / point.w - ball.xyz, turn) / ball.w;
+    vec4 back = vec4(-turn.xyz, turn.w);
+    vec3 within = turned(placeBehind(ivec2(gl_FragCoord.xy)) - ball.xyz, back) / ball.w;
     vec3 shape = within + 61.0 * kind.y;
     float uneven = 0.75 * valueNoise(1.9 * shape) + 0.40 * valueNoise(4.6 * shape);
     uneven += 0.15 * valueNoise(12.0 * shape);

@@ -3,6 +3,7 @@
 #include "viewer/shaders_lighting.h"
 #include "viewer/shaders_materials.h"
 #include "viewer/shaders_noise.h"
+#include "viewer/shaders_places.h"
 #include "viewer/shaders_shadow.h"
 #include "viewer/shaders_solids.h"
 
@@ -12,13 +13,13 @@ namespace {
 
 ShaderProgram lit(const char* name, const char* vertex, const char* fragment) {
     return {name,
-            {shaders::frame, vertex},
+            {shaders::frame, shaders::turning, vertex},
             {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
              shaders::wetting, shaders::solidMaterials, fragment}};
 }
 
 ShaderProgram shadow(const char* name, const char* vertex) {
-    return {name, {shaders::frame, vertex}, {shaders::solidShadowFragment}};
+    return {name, {shaders::frame, shaders::turning, vertex}, {shaders::solidShadowFragment}};
 }
 
 void addCorners(std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& centre, float radius) {

@@ -2,6 +2,7 @@
 
 #include "viewer/shaders_lighting.h"
 #include "viewer/shaders_noise.h"
+#include "viewer/shaders_places.h"
 #include "viewer/shaders_water.h"
 
 namespace drench::viewer {
@@ -9,7 +10,7 @@ namespace drench::viewer {
 WaterPass::WaterPass()
     : program_("water", {shaders::frame, shaders::waterVertex},
                {shaders::frame, shaders::sky, shaders::occlusion, shaders::material, shaders::noise,
-                shaders::waterFragment}) {}
+                shaders::placeBehind, shaders::waterFragment}) {}
 
 void WaterPass::upload(const std::vector<Water>& waters) {
     waters_.upload(instances(drawableWaters(waters)));

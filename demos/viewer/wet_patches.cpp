@@ -7,6 +7,7 @@
 
 #include "viewer/shaders_lighting.h"
 #include "viewer/shaders_noise.h"
+#include "viewer/shaders_places.h"
 #include "viewer/shaders_wet_patches.h"
 
 namespace drench::viewer {
@@ -56,8 +57,9 @@ WetPatches::Maps::Maps(int mapWidth, int mapHeight) : width(mapWidth), height(ma
 }
 
 WetPatches::WetPatches()
-    : program_("wet patch", {shaders::frame, shaders::patchVertex},
-               {shaders::frame, shaders::noise, shaders::patchFragment}) {
+    : program_(
+          "wet patch", {shaders::frame, shaders::patchVertex},
+          {shaders::frame, shaders::noise, shaders::placeBehind, shaders::turning, shaders::patchFragment}) {
     constexpr std::uint8_t none[4] = {0, 0, 0, 0};
     allocate(dry_, GL_R8, 1, 1, GL_RED, GL_UNSIGNED_BYTE, none);
 }
