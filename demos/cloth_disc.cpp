@@ -185,8 +185,8 @@ DiscMesh discMesh(double radius, int nodesAcross, double innerRadius) {
     dropLoneNodes(mesh);
     const std::vector<int> border = borderOf(mesh);
     const Eigen::Vector2d& first = mesh.nodes[std::size_t(border.front())];
-    const std::vector<int> rim = addRing(mesh, radius, int(std::lround(2 * pi * radius / cell)),
-                                         std::atan2(first.y(), first.x()));
+    const std::vector<int> rim =
+        addRing(mesh, radius, int(std::lround(2 * pi * radius / cell)), std::atan2(first.y(), first.x()));
     Strip(mesh, border, rim).fill();
     moveOnto(mesh, innerRadius, 0.3 * cell);
     addEdgesAsLinks(mesh);

@@ -44,7 +44,11 @@ void Hand::drag(const std::vector<Graspable>& sheets, const Pointer& pointer, do
         if (const auto hit = firstHit(sheets, pointer.ray)) grasp_.emplace(*hit, pointer);
     if (!grasp_) return;
     if (drags) return grasp_->follow(pointer, frameTime);
-    grasp_->release();
+    letGo();
+}
+
+void Hand::letGo() {
+    if (grasp_) grasp_->release();
     grasp_.reset();
 }
 

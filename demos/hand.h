@@ -19,6 +19,9 @@ class Hand {
     /// @param sheets  all there are now; those of earlier frames may be gone
     void act(const std::vector<Graspable>& sheets, const Pointer& pointer, double frameTime);
 
+    /// Lets go of what it holds, until the button is pressed again.
+    void letGo();
+
     /// What sprays water in this frame; none while the hose is off.
     const std::optional<Nozzle>& nozzle() const { return nozzle_; }
     /// Adds the hose to a picture, while it is on.

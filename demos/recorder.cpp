@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "table.h"
+#include "viewer/whole_file.h"
 
 #ifdef _WIN32
 #include "recorder_none.h"
@@ -31,7 +31,7 @@ std::vector<std::string> commandFor(const std::filesystem::path& file, int width
 
 Recorder::Recorder(const std::filesystem::path& file, int width, int height, double framesPerSecond)
     : file_(file), width_(width), height_(height) {
-    checkWritable(file);
+    viewer::checkWritable(file);
     ffmpeg_ = std::make_unique<Process>(commandFor(file, width, height, framesPerSecond));
 }
 
@@ -58,12 +58,16 @@ void Recorder::finish() {
 
 void Recorder::check(const std::filesystem::path& file) {
     constexpr int width = 64, height = 64;
+    constexpr double patience = 20;  // s
     std::filesystem::path trial = file;
     trial.replace_filename("trial-" + std::to_string(std::random_device()()) + file.extension().string());
     bool whole = true;
     Recorder recorder(trial, width, height, 60);
     try {
-        recorder.add({width, height, std::vector<std::uint8_t>(std::size_t(3) * width * height)});
+        constexpr int pictures = 3;  // a single one also fits into a file that is no film
+        for (int i = 0; i < pictures; ++i)
+            recorder.add({width, height, std::vector<std::uint8_t>(std::size_t(3) * width * height)});
+        recorder.ffmpeg_->waitAtMost(patience);
         recorder.finish();
     } catch (const std::runtime_error&) {
         whole = false;

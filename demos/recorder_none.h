@@ -17,6 +17,7 @@ class Recorder::Process {
     }
     bool write(const std::uint8_t*, std::size_t) { return false; }
     int end() { return 0; }
+    void waitAtMost(double) {}
 };
 
 }  // namespace drench::demo

@@ -8,9 +8,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "recorder.h"
@@ -30,7 +32,7 @@ class Recorder::Process {
         const int problem = start(command, ends[0]);
         close(ends[0]);
         if (problem == 0) return;
-        close(toChild_);
+        closePipe();
         throw std::runtime_error(
             problem == ENOENT
                 ? "there is no ffmpeg to make films with; install it (Debian: apt-get install ffmpeg), or "
@@ -57,13 +59,26 @@ class Recorder::Process {
     /// Tells the program that nothing more comes, and waits. @return its exit status; 128 or more after a signal
     int end() {
         if (child_ <= 0) return status_;
-        close(toChild_);
+        closePipe();
         int how = 0;
         while (waitpid(child_, &how, 0) < 0 && errno == EINTR) {
         }
         child_ = 0;
         status_ = WIFEXITED(how) ? WEXITSTATUS(how) : 128 + WTERMSIG(how);
         return status_;
+    }
+
+    /// Tells the program that nothing more comes, and ends it by force should it take longer than so many
+    /// seconds.
+    void waitAtMost(double seconds) {
+        closePipe();
+        const auto start = std::chrono::steady_clock::now();
+        siginfo_t ended{};
+        while (waitid(P_PID, id_t(child_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0) {
+            if (std::chrono::steady_clock::now() - start > std::chrono::duration<double>(seconds))
+                kill(child_, SIGKILL);
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
     }
 
   private:
@@ -102,6 +117,11 @@ class Recorder::Process {
         posix_spawn_file_actions_destroy(&actions);
         if (problem != 0) child_ = 0;
         return problem;
+    }
+
+    void closePipe() {
+        if (toChild_ >= 0) close(toChild_);
+        toChild_ = -1;
     }
 
     pid_t child_ = 0;

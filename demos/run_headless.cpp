@@ -22,6 +22,7 @@
 #include "viewer/image.h"
 #include "viewer/offscreen_context.h"
 #include "viewer/renderer.h"
+#include "viewer/whole_file.h"
 
 namespace drench::demo {
 
@@ -29,7 +30,7 @@ namespace {
 
 constexpr int sideWidth = 480, sideHeight = 600;  // of pictures side by side
 
-/// Draws and keeps the pictures of a run.
+/// Draws and keeps the pictures of a run. One that cannot be written is missed and said on stderr; the run goes on.
 class Album {
   public:
     explicit Album(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -43,7 +44,7 @@ class Album {
         const auto before = std::chrono::steady_clock::now();
         const viewer::Image image = renderer_.capture(picture, pictureWidth, pictureHeight);
         const double took = secondsSince(before);
-        writePng(folder_ / (name + ".png"), image);
+        write(name, image);
         images_.push_back(renderer_.capture(picture, pictureWidth / 3, pictureHeight / 3));
         return took;
     }
@@ -55,20 +56,36 @@ class Album {
             row.push_back(renderer_.capture(picture, sideWidth, sideHeight));
         constexpr int gap = 4;
         if (row.empty()) return;
-        writePng(folder_ / (scene.sideBySideName() + ".png"),
-                 viewer::contactSheet(row, int(row.size()), gap));
+        write(scene.sideBySideName(), viewer::contactSheet(row, int(row.size()), gap));
     }
 
     /// All moments side by side.
-    void writeContactSheet() const {
+    void writeContactSheet() {
         if (images_.size() < 2) return;
         const int columns = images_.size() % 3 == 0 ? 3 : 4;  // as full as it can be
         constexpr int gap = 4;
-        writePng(folder_ / "contact-sheet.png", viewer::contactSheet(images_, columns, gap));
+        write("contact-sheet", viewer::contactSheet(images_, columns, gap));
     }
 
+    /// Images that the scene makes itself.
+    void addDrawings(const Scene& scene) {
+        for (const Drawing& drawing : scene.drawings()) write(drawing.name, drawing.image);
+    }
+
+    bool isWhole() const { return whole_; }  ///< so far
+
   private:
+    void write(const std::string& name, const viewer::Image& image) {
+        try {
+            writePng(folder_ / (name + ".png"), image);
+        } catch (const std::runtime_error& problem) {
+            whole_ = false;
+            std::cerr << "drench-demo: " << problem.what() << '\n';
+        }
+    }
+
     std::filesystem::path folder_;
+    bool whole_ = true;
     viewer::OffscreenContext context_;
     viewer::Renderer renderer_;
     std::vector<viewer::Image> images_;
@@ -164,23 +181,23 @@ int runHeadless(Scene& scene, const RunOptions& options) {
 
     scene.report(std::cout);
     writeResult(options, scene, log);
-    writeDrawings(options, scene);
     writeScene(options, scene);
+    if (album) album->addDrawings(scene);
     if (album) album->addSideBySide(scene);
     if (album) album->writeContactSheet();
 
     const int status = judge(scene, options);
     if (film && !film->finish()) return 2;
-    return status;
+    return album && !album->isWhole() ? 2 : status;
 }
 
 void checkTargets(const RunOptions& options) {
     if (!options.csv.empty()) {
-        checkWritable(options.csv);
-        checkWritable(besideFor(options.csv));
+        viewer::checkWritable(options.csv);
+        viewer::checkWritable(besideFor(options.csv));
     }
-    if (!options.saved.empty()) checkWritable(options.saved);
-    if (!options.frames.empty()) checkWritable(options.frames / "picture.png");
+    if (!options.saved.empty()) viewer::checkWritable(options.saved);
+    if (!options.frames.empty()) viewer::checkWritable(options.frames / "picture.png");
     if (!options.record.empty()) Recorder::check(options.record);
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <sstream>
 
 #include "scene_file.h"
 
@@ -20,16 +21,25 @@ std::vector<std::string> sceneNames() {
 }
 
 /// CLI11's own range check lets "nan" through.
-CLI::Validator secondsInRange() {
-    constexpr double shortest = 0.02, longest = 86400;
+CLI::Validator inRange(double least, double most) {
+    std::ostringstream range;
+    range << least << " to " << most;
     return CLI::Validator(
-        [](const std::string& text) -> std::string {
-            double seconds = 0;
-            if (CLI::detail::lexical_cast(text, seconds) && seconds >= shortest && seconds <= longest)
-                return "";
-            return "give a number of seconds from 0.02 to 86400, not '" + text + "'";
+        [=, range = range.str()](const std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return "";
+            return "give a number from " + range + ", not '" + text + "'";
         },
-        "FLOAT in [0.02 - 86400]");
+        "FLOAT, " + range.str());
+}
+
+/// An empty name is most likely a variable that is not set.
+CLI::Validator namesSomething() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            return std::string(text.empty() ? "give a name; this one is empty" : "");
+        },
+        "NAME");
 }
 
 View viewOf(const std::string& name) {
@@ -81,11 +91,12 @@ OwnChoices addSceneOptions(CLI::App& app, RunOptions& run, Words& words) {
     CLI::Option* const scene = app.add_option("SCENE", run.scene, "which scene to run; --list names them")
                                    ->check(CLI::IsMember(sceneNames()));
     app.add_option("--scene-file", words.file, "run the scene of this JSON file; see docs/scene-files.md")
+        ->check(namesSomething())
         ->excludes(scene);
     app.add_flag("--list", words.list, "list the scenes and stop");
     app.add_option("--seconds", run.sceneOptions.seconds,
                    "simulated seconds after which to end [the scene's own]")
-        ->check(secondsInRange());
+        ->check(inRange(0.02, 86400));
     app.add_option("--resolution", run.sceneOptions.resolution, "nodes along the warp [the scene's own]")
         ->check(CLI::Range(8, 512));
     const CLI::Option* const fabric =
@@ -100,24 +111,30 @@ OwnChoices addSceneOptions(CLI::App& app, RunOptions& run, Words& words) {
                    "Bullet's soft-rigid world, or its deformable one, with Bullet's own solver [soft-rigid]")
         ->check(CLI::IsMember({"soft-rigid", "deformable"}));
     const CLI::Option* const seed = app.add_option("--seed", run.sceneOptions.seed,
-                                                   "seed of the random numbers [1; that of a scene file]");
+                                                   "seed of the random numbers [1; that of a scene file]")
+                                        ->check(CLI::Range(0, 0x7fffffff));
     app.add_flag("--dry", words.dry, "the same scene with nothing that brings water, and without its check");
     return {fabric, seed};
 }
 
 /// What is written, and what pictures show.
 void addOutputOptions(CLI::App& app, RunOptions& run, Words& words) {
-    app.add_option("--save-scene", run.saved, "write the scene as it is at the end to this scene file");
+    app.add_option("--save-scene", run.saved, "write the scene as it is at the end to this scene file")
+        ->check(namesSomething());
     app.add_option("--csv", run.csv,
                    "write the water of each frame to this file, or the scene's result where it has one, and "
-                   "the water beside it");
-    app.add_option("--frames", run.frames, "write pictures (PNG) into this folder");
+                   "the water beside it")
+        ->check(namesSomething());
+    app.add_option("--frames", run.frames, "write pictures (PNG) into this folder")->check(namesSomething());
     app.add_option("--view", words.view,
                    "what pictures show of the sheets: their looks, water content, film or strain [beauty]")
         ->check(CLI::IsMember({"beauty", "content", "film", "strain"}));
-    app.add_option("--record", run.record, "make a film of the run, such as out.mp4, with ffmpeg");
+    app.add_option("--record", run.record, "make a film of the run, such as out.mp4, with ffmpeg")
+        ->check(namesSomething());
     app.add_option("--every", run.every,
-                   "a picture each so many frames of 1/60 s [the scene's own moments; of a film each frame]")
+                   "a picture each so many frames of 1/60 s [the scene's own moments]; without a window, "
+                   "also of a film "
+                   "[each frame]")
         ->check(CLI::Range(1, 1000000));
 }
 
@@ -127,7 +144,7 @@ void addWindowOptions(CLI::App& app, RunOptions& run) {
         ->check(CLI::Range(100, 16384));
     app.add_option("--speed", run.speed,
                    "in the window, simulated time over wall time, at most; 0: as fast as it can [1]")
-        ->check(CLI::Range(0.0, 1000.0));
+        ->check(inRange(0, 1000));
     app.add_flag("--timings", run.timings,
                  "say on stderr when the window's first picture came, and how many a second");
     app.add_flag("--quit-at-end", run.quitAtEnd, "close the window when the scene has come to its end");

@@ -112,6 +112,14 @@ void exchangeShape(Fields& fields, SolidDescription& solid) {
     if (solid.shape == Shape::ball || solid.shape == Shape::box) exchangeTurn(fields, solid.turn);
 }
 
+/// Of lighter bodies single precision cannot hold the inverse inertia.
+void checkMass(const FieldReader& fields, double mass) {
+    constexpr double lightest = 1e-6;  // kg
+    if (mass > 0 && mass < lightest)
+        fields.refuse("mass",
+                      "is " + shown(mass) + "; give 0, for a body that stays where it is, or 1e-6 to 1e6");
+}
+
 template <typename Fields>
 void exchangeSolid(Fields& fields, SolidDescription& solid) {
     fields.name("name", solid.name);
@@ -121,6 +129,7 @@ void exchangeSolid(Fields& fields, SolidDescription& solid) {
     exchangeShape(fields, solid);
     if (solid.shape != SolidDescription::Shape::ground) {
         fields.number("mass", solid.mass, {0, 1e6});
+        if constexpr (Fields::reads) checkMass(fields, solid.mass);
         fields.vector("velocity", solid.velocity, speeds);
         fields.vector("spin", solid.spin, speeds);
     }
@@ -219,7 +228,7 @@ void checkWhole(const FieldReader& fields, const SceneDescription& scene) {
     double nodes = 0;
     for (const SheetDescription& sheet : scene.sheets) nodes += double(sheet.nodes[0]) * sheet.nodes[1];
     if (nodes > mostNodes)
-        fields.refuse("sheets", "have " + shown(nodes) + " nodes in all; give at most 1000000");
+        fields.refuse("sheets", "have " + shown(nodes) + " nodes in all; give at most 250000");
     checkNames(fields, "sheets", scene.sheets);
     checkNames(fields, "solids", scene.solids);
     checkNames(fields, "sources", scene.sources);
@@ -237,7 +246,7 @@ void exchangeScene(Fields& fields, SceneDescription& scene) {
     fields.name("name", scene.name);
     fields.text("text", scene.text);
     fields.number("duration", scene.duration, {0.02, 1e6});
-    fields.number("time", scene.time, {0, 1e6});
+    fields.number("time", scene.time, {0, 1e9});
     int seed = static_cast<int>(scene.seed & 0x7fffffffu);
     fields.whole("seed", seed, 0, 0x7fffffff);
     if constexpr (Fields::reads) scene.seed = static_cast<unsigned>(seed);

@@ -88,7 +88,7 @@ void exchangeNodes(FieldReader& fields, std::array<int, 2>& nodes) {
     }
     if (double(nodes[0]) * nodes[1] > mostNodes)
         fields.refuse("nodes", "are " + std::to_string(nodes[0]) + " x " + std::to_string(nodes[1]) +
-                                   "; give at most 1000000 in all");
+                                   "; give at most 250000 in all");
 }
 
 void exchangeNodes(FieldWriter& fields, const std::array<int, 2>& nodes) {

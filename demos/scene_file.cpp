@@ -5,7 +5,7 @@
 
 #include "scene_exchange.h"
 #include "scene_json.h"
-#include "table.h"
+#include "viewer/whole_file.h"
 
 namespace drench::demo {
 
@@ -55,7 +55,13 @@ SceneDescription loadScene(const std::filesystem::path& path) {
 }
 
 void saveScene(const std::filesystem::path& path, const SceneDescription& description) {
-    writeWhole(path, sceneText(description));
+    const std::string text = sceneText(description);
+    try {
+        readScene(text);
+    } catch (const std::invalid_argument& problem) {
+        throw std::runtime_error("the scene as it is now fits no scene file: " + std::string(problem.what()));
+    }
+    viewer::writeWhole(path, text);
 }
 
 }  // namespace drench::demo

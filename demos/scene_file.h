@@ -22,7 +22,7 @@ std::string sceneText(const SceneDescription& description);
 SceneDescription loadScene(const std::filesystem::path& path);
 
 /// Writes a scene file, which appears under its name only once it is whole.
-/// @throws std::runtime_error that names the path and says what is in the way
+/// @throws std::runtime_error that names the path and says what is in the way, or the key that has come out of its range
 void saveScene(const std::filesystem::path& path, const SceneDescription& description);
 
 }  // namespace drench::demo

@@ -85,6 +85,7 @@ void SceneRun::end() {
     std::cout << std::flush;
     writeResult(options_, *scene_, log_);
     writeDrawings(options_, *scene_);
+    hand_.letGo();
     writeScene(options_, *scene_);
 }
 
@@ -94,6 +95,7 @@ std::vector<Scene*> SceneRun::scenes() {
 }
 
 void SceneRun::save(const std::filesystem::path& file) {
+    hand_.letGo();  // what it holds is pinned, and would be for good
     saveScene(file, describedNow(*scene_));
 }
 

@@ -8,7 +8,8 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <system_error>
+
+#include "viewer/whole_file.h"
 
 namespace drench::viewer {
 
@@ -38,15 +39,6 @@ void append(void* context, void* data, int size) {
                                                      bytes + size);
 }
 
-void writeBytes(const std::filesystem::path& path, const std::vector<char>& bytes) {
-    std::ofstream file(path, std::ios::binary | std::ios::trunc);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) {
-        throw fileError("write", path, "is the folder writable and the disk not full?");
-    }
-}
-
 // Light grey: what no image covers.
 constexpr std::uint8_t backdrop = 235;
 
@@ -59,22 +51,7 @@ void writePng(const std::filesystem::path& path, const Image& image) {
                                3 * image.width) == 0) {
         throw fileError("write", path, "the PNG encoder ran out of memory");
     }
-    std::error_code error;
-    if (path.has_parent_path()) {
-        std::filesystem::create_directories(path.parent_path(), error);
-        if (error) {
-            throw fileError("create the folder of", path, error.message());
-        }
-    }
-    std::filesystem::path unfinished = path;
-    unfinished += ".part";
-    writeBytes(unfinished, bytes);
-    std::filesystem::rename(unfinished, path, error);
-    if (error) {
-        std::error_code ignored;
-        std::filesystem::remove(unfinished, ignored);
-        throw fileError("write", path, error.message());
-    }
+    writeWhole(path, {bytes.data(), bytes.size()});
 }
 
 Image readPng(const std::filesystem::path& path) {

@@ -36,6 +36,9 @@ expect 2 'no-such-scene' no-such-scene --headless
 expect 2 'tweed' drape --headless --fabric tweed
 expect 2 'resolution' drape --headless --resolution 0
 expect 2 'seconds' drape --headless --seconds nan
+expect 2 'speed' drape --speed nan
+expect 2 'csv: give a name' drape --headless --csv ''
+expect 2 'beauty,content,film,strain' drape --headless --view x-ray
 expect 2 'every' drape --headless --every -1
 expect 2 'run with --headless' drape
 expect 2 '/proc/no/such.csv' drape --headless --seconds 0.1 --resolution 8 --csv /proc/no/such.csv

@@ -36,6 +36,7 @@ class Rig {
     Stage& stage() { return stage_; }
     SceneCloth& sheet() { return stage_.sheet("sheet"); }
     WetCloth& cloth() { return sheet().wet(); }
+    Hand& hand() { return hand_; }
 
     void frames(int count) {
         for (int i = 0; i < count; ++i) {
@@ -151,6 +152,19 @@ TEST_P(HandWithSolver, StandsAMouseThatJumps) {
     rig.frames(120);
     EXPECT_LT(rig.fastest(), 2);
     EXPECT_LT(rig.imbalance(), 1e-9);
+}
+
+TEST(Hand, LetsGoWhenToldAndTakesHoldAgainOnlyWithANewPress) {
+    Rig rig(smallSteps);
+    const int before = rig.pins();
+    rig.point(0, 1, true);
+    rig.frames(3);
+    EXPECT_GT(rig.pins(), before);
+    rig.hand().letGo();
+    EXPECT_EQ(rig.pins(), before);
+    EXPECT_EQ(rig.sheet().describe().pins.size(), std::size_t(before));
+    rig.frames(3);
+    EXPECT_EQ(rig.pins(), before);
 }
 
 TEST(Hand, StopsAtTheGround) {

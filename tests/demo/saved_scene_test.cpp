@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <stdexcept>
 #include <string>
 
 #include "scene.h"
@@ -40,6 +42,23 @@ TEST(SavedScene, HasEveryNodeWhereItIsWithItsWater) {
     EXPECT_EQ(loaded.solid("ball").getWorldTransform().getOrigin(),
               running.solid("ball").getWorldTransform().getOrigin());
     EXPECT_EQ(loaded.time(), running.time());
+}
+
+TEST(SavedScene, ThatCouldNotBeLoadedIsRefusedAndLeavesTheFileThatIsThere) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "drench_saved_scene";
+    const auto file = folder / "scene.json";
+    SceneDescription scene = wetSheetInTheWind();
+    saveScene(file, scene);
+    const auto before = sceneText(loadScene(file));
+    scene.solids[1].spin = {0, 1e5, 0};
+    try {
+        saveScene(file, scene);
+        FAIL() << "saved a scene that cannot be loaded";
+    } catch (const std::runtime_error& problem) {
+        EXPECT_NE(std::string(problem.what()).find("solids[1].spin"), std::string::npos) << problem.what();
+    }
+    EXPECT_EQ(sceneText(loadScene(file)), before);
+    std::filesystem::remove_all(folder);
 }
 
 /// How far a scene that was saved after a second and loaded is from the one that ran on, after another half, m.

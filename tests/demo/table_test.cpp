@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <sstream>
+
+#include "viewer/whole_file.h"
 
 namespace drench::demo {
 namespace {
@@ -41,9 +44,19 @@ TEST(Table, NamesTheFileThatItCannotWriteAndLeavesWhatIsThere) {
     } catch (const std::runtime_error& problem) {
         EXPECT_NE(std::string(problem.what()).find("a.csv"), std::string::npos);
     }
-    EXPECT_THROW(checkWritable("/dev/full"), std::runtime_error);
+    EXPECT_THROW(viewer::checkWritable("/dev/full"), std::runtime_error);
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
     EXPECT_TRUE(std::filesystem::is_directory(folder / "a.csv"));
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Table, LeavesFilesBesideItAlone) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "drench_table_beside";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "a.csv.part") << "precious";
+    writeCsv(folder / "a.csv", example);
+    EXPECT_EQ(contents(folder / "a.csv.part"), "precious");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);
     std::filesystem::remove_all(folder);
 }
 
