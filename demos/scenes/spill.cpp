@@ -168,20 +168,19 @@ void Spill::showJug(viewer::Picture& picture) const {
     for (std::size_t i = 1; i < handle.size(); ++i) piece(handle[i - 1], handle[i], 0.007f);
 }
 
-/// Drops that are drawn out over their way while the picture is exposed, so close that they make one stream, which
-/// thins as it falls faster; small ones leap up where it ends.
+/// Two drops that are drawn out while the picture is exposed, from the lip on: one over all the way, which ends in the
+/// cloth, and one that makes the stream thicker where it is still slow. Small ones leap up where it ends.
 void Spill::showStream(viewer::Picture& picture) const {
-    constexpr int pieces = 24, leaping = 14;
-    constexpr float gravity = 9.81f, widest = 0.0042f, flow = 0.5f, perLength = 120;  // m/s2, m, m/s, 1/s
+    constexpr int leaping = 14;
+    constexpr float gravity = 9.81f, perLength = 120;  // m/s2, 1/s
     const Eigen::Vector3f spout = spout_.cast<float>();
     const float fall = spout.y() - float(table_.position.y() + table_.halfExtents.y());
-    for (int i = 0; i <= pieces; ++i) {
-        const float down = fall * float(i) / pieces;
-        const float speed = std::sqrt(flow * flow + 2 * gravity * down);
-        picture.drops.push_back({spout - Eigen::Vector3f(0, down, 0),
-                                 {0, -perLength * fall / 4, 0},
-                                 widest * std::sqrt(flow / speed)});
-    }
+    const auto thread = [&](float length, float radius) {
+        picture.drops.push_back(
+            {spout - Eigen::Vector3f(0, length / 2, 0), {0, -perLength * length, 0}, radius});
+    };
+    thread(1.35f * fall, 0.0034f);
+    thread(0.5f * fall, 0.0042f);
     for (int i = 0; i < leaping; ++i) {
         const float turns = 6 * float(time()) + 0.618f * float(i), share = turns - std::floor(turns);
         const float angle = 2.4f * float(i) + 1.7f * std::floor(turns),
