@@ -39,6 +39,11 @@ double radiusOf(double mass) {
     return std::cbrt(3 * mass / (4 * pi * waterDensity));
 }
 
+/// Of the drops of sprays, that may be threads of water.
+std::size_t jetThreads(const WaterEffectsLimits& limits) {
+    return limits.drops / 8;
+}
+
 viewer::WaterDrop seen(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity, double radius) {
     return {position.cast<float>(), velocity.cast<float>(), float(radius)};
 }
@@ -242,7 +247,7 @@ void WaterEffects::fallRain(double frameTime) {
 void WaterEffects::emit(const Nozzle& nozzle, double frameTime) {
     const Eigen::Vector3d axis = nozzle.direction.normalized();
     const int count = nozzle.rate > 0 ? int(std::ceil(dropsPerSecond * frameTime)) : 0;
-    for (int i = 0; i < count && spray_.size() < limits_.drops; ++i) {
+    for (int i = 0; i < count && spray_.size() < limits_.drops - jetThreads(limits_); ++i) {
         const Eigen::Vector3d aside = axis.cross(randomDirection());
         const double angle = nozzle.halfAngle * std::sqrt(random());
         const Eigen::Vector3d way = std::cos(angle) * axis + std::sin(angle) * aside.normalized();
@@ -261,7 +266,7 @@ void WaterEffects::showJet(const Nozzle& nozzle) {
     constexpr int threads = 70;
     constexpr double breakUp = 0.08, spread = 0.7;  // s; share of the cone
     const Eigen::Vector3d axis = nozzle.direction.normalized();
-    for (int i = 0; i < threads; ++i) {
+    for (int i = 0; i < threads && jets_.size() < jetThreads(limits_); ++i) {
         const double angle = spread * nozzle.halfAngle * random() * random();
         const Eigen::Vector3d aside = axis.cross(randomDirection()).normalized();
         const Eigen::Vector3d way = std::cos(angle) * axis + std::sin(angle) * aside;

@@ -179,7 +179,7 @@ void Spill::showStream(viewer::Picture& picture) const {
         picture.drops.push_back(
             {spout - Eigen::Vector3f(0, length / 2, 0), {0, -perLength * length, 0}, radius});
     };
-    thread(1.35f * fall, 0.0034f);
+    thread(1.04f * fall, 0.0036f);
     thread(0.5f * fall, 0.0042f);
     for (int i = 0; i < leaping; ++i) {
         const float turns = 6 * float(time()) + 0.618f * float(i), share = turns - std::floor(turns);
