@@ -8,8 +8,8 @@ namespace drench::demo {
 
 void OpenGround::rain(double massPerArea, const Eigen::AlignedBox3d& followed) {
     followed_ = followed;
-    // Each drop covers as much as its water does in one layer, some of it where others have been.
-    covered_ += (1 - covered_) * std::min(massPerArea / WetPlaces::layer, 1.0);
+    // Each drop covers less than its water does in one layer, some of it where others have been.
+    covered_ += (1 - covered_) * std::min(withinOutline * massPerArea / WetPlaces::layer, 1.0);
     massPerArea_ = std::min(massPerArea_ + massPerArea, WetPlaces::mostLayers * WetPlaces::layer * covered_);
 }
 

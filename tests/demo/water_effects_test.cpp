@@ -152,7 +152,7 @@ TEST(WaterEffects, OpenGroundGetsWetAsFastAsTheRainFallsAndDriesAgain) {
         effects.step(frameTime, Air());
     }
     const viewer::OpenGround wet = pictureOf(effects).openGround;
-    EXPECT_NEAR(wet.covered, 1 - std::exp(-60.0 / 360 / WetPlaces::layer), 0.02);
+    EXPECT_NEAR(wet.covered, 1 - std::exp(-OpenGround::withinOutline * 60 / 360 / WetPlaces::layer), 0.02);
     EXPECT_EQ(wet.wetness, 1);
     EXPECT_LT((wet.from - Eigen::Vector2f(-0.3f, -0.3f)).norm(), 1e-6f);
     EXPECT_LT((wet.to - Eigen::Vector2f(0.3f, 0.3f)).norm(), 1e-6f);
