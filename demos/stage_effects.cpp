@@ -1,6 +1,7 @@
 #include "stage_effects.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drench::demo {
 
@@ -22,10 +23,18 @@ Eigen::AlignedBox3d showerOf(const SceneDescription& scene) {
             Eigen::Vector3d(middle.x() + half, top, middle.z() + half)};
 }
 
+/// Share of the sun's light that passes the clouds of such rain, mm/h (assumed).
+double sunshineIn(double rain) {
+    constexpr double least = 0.24, half = 8;
+    return least + (1 - least) * std::exp2(-rain / half);
+}
+
 }  // namespace
 
 StageEffects::StageEffects(const btCollisionWorld& world, const SceneDescription& description)
-    : world_(world), shower_(showerOf(description)) {
+    : world_(world),
+      shower_(showerOf(description)),
+      sunshine_(sunshineIn(description.water ? description.weather.rain : 0)) {
     limits_.seed = description.seed;
     limits_.streaks = 4500;
     limits_.places = 3000;
@@ -41,9 +50,16 @@ void StageEffects::setPools(const std::vector<StageSource>& sources) {
     effects_->setPools(std::move(pools));
 }
 
+/// Clouds take a moment to gather and to part.
+void StageEffects::cloudOver(double rain, double frameTime) {
+    constexpr double gathering = 1.5;  // s
+    sunshine_ += (sunshineIn(rain) - sunshine_) * (1 - std::exp(-frameTime / gathering));
+}
+
 void StageEffects::step(double frameTime, double time, const Weather& weather,
                         const std::vector<StageSource>& sources,
                         const std::vector<std::unique_ptr<SceneCloth>>& sheets, const FallingDrops* drops) {
+    cloudOver(weather.rain, frameTime);
     for (const StageSource& source : sources)
         if (const auto nozzle = source.nozzle(time, frameTime)) nozzles_.push_back(*nozzle);
     const bool drips = drops && (!drops->inFlight().empty() || !drops->landed().empty());
@@ -59,6 +75,7 @@ void StageEffects::step(double frameTime, double time, const Weather& weather,
 }
 
 void StageEffects::show(viewer::Picture& picture) const {
+    picture.sunshine = float(sunshine_);
     if (effects_) effects_->show(picture);
 }
 

@@ -28,6 +28,7 @@ class StageEffects {
     void show(viewer::Picture& picture) const;
 
   private:
+    void cloudOver(double rain, double frameTime);
     void setPools(const std::vector<StageSource>& sources);
 
     const btCollisionWorld& world_;
@@ -35,6 +36,7 @@ class StageEffects {
     Eigen::AlignedBox3d shower_;   // where rain is seen
     std::vector<Nozzle> nozzles_;  // of the next frame
     std::unique_ptr<WaterEffects> effects_;
+    double sunshine_;  // see viewer::Picture
 };
 
 }  // namespace drench::demo

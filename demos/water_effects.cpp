@@ -17,16 +17,17 @@ namespace {
 
 const Eigen::Vector3d gravity(0, -9.81, 0);  // m/s2
 
-constexpr double waterDensity = 1000;   // kg/m3
-constexpr double exposure = 1.0 / 100;  // s, for which a drop of rain draws its streak
-constexpr double streakWidth = 0.0016;  // m
-constexpr double farDown = 100;         // m, that rain falls below its region to find what it lands on
-constexpr double shelterAbove = 30;     // m, up to which a roof over the region keeps the rain off
-constexpr double sprayLife = 1.5;       // s
-constexpr double finestDrop = 0.6e-3;   // m, up to which a drop of a spray is no more than a streak
+constexpr double waterDensity = 1000;       // kg/m3
+constexpr double exposure = 1.0 / 100;      // s, for which a drop of rain draws its streak
+constexpr double sprayExposure = 1.0 / 50;  // s, likewise of a spray
+constexpr double streakWidth = 0.0016;      // m
+constexpr double farDown = 100;             // m, that rain falls below its region to find what it lands on
+constexpr double shelterAbove = 30;         // m, up to which a roof over the region keeps the rain off
+constexpr double sprayLife = 1.5;           // s
+constexpr double finestDrop = 0.6e-3;       // m, up to which a drop of a spray is no more than a streak
 constexpr std::int64_t mostTogether = 4;
-constexpr double dropsPerSecond = 900;  // that stand for the water of a nozzle
-constexpr double patchLength = 0.5;     // m, of a wet place along the air, for its drying
+constexpr double dropsPerSecond = 1500;  // that stand for the water of a nozzle
+constexpr double patchLength = 0.5;      // m, of a wet place along the air, for its drying
 
 /// Drops over 1 mm in a cubic metre of rain (Marshall & Palmer 1948).
 double dropsPerVolume(double intensity) {
@@ -36,6 +37,11 @@ double dropsPerVolume(double intensity) {
 
 double radiusOf(double mass) {
     return std::cbrt(3 * mass / (4 * pi * waterDensity));
+}
+
+/// Of the drops of sprays, that may be threads of water.
+std::size_t jetThreads(const WaterEffectsLimits& limits) {
+    return limits.drops / 8;
 }
 
 viewer::WaterDrop seen(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity, double radius) {
@@ -118,13 +124,16 @@ void WaterEffects::step(double frameTime, const Air& air, double waterSpeed) {
     beginRain(frameTime);
     fallRain(frameTime);
     removeWhere(spray_, [&](Bead& drop) { return sprayEnds(drop, frameTime); });
+    jets_.clear();
     for (const Nozzle& nozzle : nozzles_) emit(nozzle, frameTime);
     nozzles_.clear();
     flySplashes(frameTime);
     drift(frameTime, air);
     // Places are wet on one face only.
     const double speed = std::min(air.wind.norm(), 100.0);
-    places_.dry(evaporation(air, speed, patchLength).rate / 2 * frameTime * waterSpeed);
+    const double dried = evaporation(air, speed, patchLength).rate / 2 * frameTime * waterSpeed;
+    places_.dry(dried);
+    openGround_.dry(dried);
 }
 
 /// From 0 to below 1, alike on every machine.
@@ -182,6 +191,10 @@ void WaterEffects::beginRain(double frameTime) {
         std::min(dropsPerVolume(shower_.intensity) * shower_.region.volume(), double(limits_.streaks));
     if (!(number > 0)) return;
     const double massPerTime = shower_.intensity / 3600 * sides.x() * sides.z();
+    // A slanting shower comes down aside of the middle of its region.
+    Eigen::AlignedBox3d below = shower_.region;
+    below.translate(fallTime / 2 * shower_.velocity);
+    openGround_.rain(shower_.intensity / 3600 * frameTime, below);
     shower_.owed += number * frameTime / fallTime;
     for (; shower_.owed >= 1; shower_.owed -= 1)
         if (rain_.size() < limits_.streaks) beginDrop(massPerTime * fallTime / number, random(0, frameTime));
@@ -234,7 +247,7 @@ void WaterEffects::fallRain(double frameTime) {
 void WaterEffects::emit(const Nozzle& nozzle, double frameTime) {
     const Eigen::Vector3d axis = nozzle.direction.normalized();
     const int count = nozzle.rate > 0 ? int(std::ceil(dropsPerSecond * frameTime)) : 0;
-    for (int i = 0; i < count && spray_.size() < limits_.drops; ++i) {
+    for (int i = 0; i < count && spray_.size() < limits_.drops - jetThreads(limits_); ++i) {
         const Eigen::Vector3d aside = axis.cross(randomDirection());
         const double angle = nozzle.halfAngle * std::sqrt(random());
         const Eigen::Vector3d way = std::cos(angle) * axis + std::sin(angle) * aside.normalized();
@@ -242,8 +255,26 @@ void WaterEffects::emit(const Nozzle& nozzle, double frameTime) {
                   nozzle.rate * frameTime / count, sprayLife};
         if (!sprayEnds(drop, random(0, frameTime))) spray_.push_back(drop);
     }
-    if (count > 0 && random() < 40 * frameTime)
-        addPuff(nozzle.place + 0.04 * axis, 0.35 * nozzle.speed * axis, 0.02, 0.22);
+    if (count == 0) return;
+    showJet(nozzle);
+    if (random() < 10 * frameTime) addPuff(nozzle.place + 0.3 * axis, 0.35 * nozzle.speed * axis, 0.02, 0.05);
+}
+
+/// The water that still holds together where it leaves the nozzle: threads that part from each other and end one
+/// after the other.
+void WaterEffects::showJet(const Nozzle& nozzle) {
+    constexpr int threads = 70;
+    constexpr double breakUp = 0.08, spread = 0.7;  // s; share of the cone
+    const Eigen::Vector3d axis = nozzle.direction.normalized();
+    for (int i = 0; i < threads && jets_.size() < jetThreads(limits_); ++i) {
+        const double angle = spread * nozzle.halfAngle * random() * random();
+        const Eigen::Vector3d aside = axis.cross(randomDirection()).normalized();
+        const Eigen::Vector3d way = std::cos(angle) * axis + std::sin(angle) * aside;
+        const double length = nozzle.speed * breakUp * random(0.3, 1);
+        const Eigen::Vector3d end = nozzle.place + length * way;
+        if (hitAnything(nozzle.place, end)) continue;
+        jets_.push_back({nozzle.place.cast<float>(), end.cast<float>(), float(random(1.5e-3, 4e-3)), 0.6f});
+    }
 }
 
 /// Moves a drop of a spray on. @return whether it has met something, or is out of sight
@@ -255,8 +286,8 @@ bool WaterEffects::sprayEnds(Bead& drop, double time) {
     const std::optional<Hit> hit = hitAnything(from, drop.position);
     if (!hit) return drop.left <= 0;
     wet(*hit, drop.mass);
-    if (random() < 0.35) splash(hit->place, 0.6 * drop.velocity.norm());
-    if (random() < 0.08) addPuff(hit->place, 0.05 * drop.velocity.norm() * randomDirection(), 0.03, 0.16);
+    if (random() < 0.8) splash(hit->place, 0.6 * drop.velocity.norm());
+    if (random() < 0.03) addPuff(hit->place, 0.05 * drop.velocity.norm() * randomDirection(), 0.012, 0.06);
     return true;
 }
 
@@ -309,12 +340,13 @@ void WaterEffects::show(viewer::Picture& picture) const {
     picture.drops.insert(picture.drops.end(), falling_.begin(), falling_.end());
     for (const Bead& drop : splashes_)
         picture.drops.push_back(seen(drop.position, drop.velocity, drop.radius));
+    picture.streaks.insert(picture.streaks.end(), jets_.begin(), jets_.end());
     for (const Bead& drop : spray_) {
         if (drop.radius > finestDrop)
             picture.drops.push_back(seen(drop.position, drop.velocity, drop.radius));
         else
             picture.streaks.push_back({drop.position.cast<float>(),
-                                       (drop.position - exposure * drop.velocity).cast<float>(),
+                                       (drop.position - sprayExposure * drop.velocity).cast<float>(),
                                        float(2 * drop.radius), 0.8f});
     }
     for (const Puff& puff : puffs_) {
@@ -323,6 +355,7 @@ void WaterEffects::show(viewer::Picture& picture) const {
                                 float(puff.density * (1 - share) * std::min(1.0, 8 * share))});
     }
     places_.show(picture);
+    openGround_.show(picture);
 }
 
 }  // namespace drench::demo

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "nozzle.h"
+#include "open_ground.h"
 #include "sheet_cells.h"
 #include "viewer/picture.h"
 #include "wet_places.h"
@@ -110,6 +111,7 @@ class WaterEffects {
     void beginDrop(double mass, double age);
     void fallRain(double frameTime);
     void emit(const Nozzle& nozzle, double frameTime);
+    void showJet(const Nozzle& nozzle);
     bool sprayEnds(Bead& drop, double time);
     void flySplashes(double frameTime);
     void drift(double frameTime, const Air& air);
@@ -127,10 +129,12 @@ class WaterEffects {
     std::vector<SheetCells> sheets_;
     std::vector<RainDrop> rain_;
     std::vector<Bead> spray_;
+    std::vector<viewer::Streak> jets_;
     std::vector<Bead> splashes_;
     std::vector<Puff> puffs_;
     std::vector<viewer::WaterDrop> falling_;
     WetPlaces places_;
+    OpenGround openGround_;
 };
 
 }  // namespace drench::demo

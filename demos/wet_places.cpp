@@ -14,7 +14,6 @@ namespace drench::demo {
 namespace {
 
 constexpr double runsTogether = 0.4;  // share of a place's radius within which new water joins it
-constexpr double mostLayers = 2;      // beyond which water runs off
 constexpr double darkUntil = 0.35;    // of the layer; below it the place fades
 
 double radiusOf(double area) {
@@ -26,6 +25,10 @@ double areaFor(double mass) {
 }
 
 }  // namespace
+
+double WetPlaces::wetnessOf(double massPerArea) {
+    return std::min(1.0, massPerArea / (darkUntil * layer));
+}
 
 WetPlaces::WetPlaces(std::size_t most) : most_(most) {
     if (most < 1) throw std::invalid_argument("drench: there must be room for at least 1 wet place, not 0");
@@ -98,7 +101,7 @@ void WetPlaces::show(viewer::Picture& picture) const {
         viewer::WetPatch patch;
         patch.centre = pictureVector(frame * bulletVector(place.inBody));
         patch.radius = float(radiusOf(place.area));
-        patch.wetness = float(std::min(1.0, place.mass / (darkUntil * layer * place.area)));
+        patch.wetness = float(wetnessOf(place.mass / place.area));
         patch.orientation = plainTurn(frame.getRotation()).cast<float>();
         patch.outline = place.outline;
         picture.patches.push_back(patch);

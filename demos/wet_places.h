@@ -16,8 +16,13 @@ class WetPlaces {
   public:
     /// Water that a body holds before it spreads or runs off, kg/m2: a layer of 0.15 mm (assumed).
     static constexpr double layer = 0.15;
+    /// Of these, beyond which water runs off.
+    static constexpr double mostLayers = 2;
     /// m; a place that is this large only gets wetter.
     static constexpr double largestRadius = 0.15;
+
+    /// How wet a place with so much water looks, kg/m2: 0 (dry) to 1 (dark and glossy).
+    static double wetnessOf(double massPerArea);
 
     /// @param most  at one time, at least 1; when there are more the driest go
     /// @throws std::invalid_argument for none

@@ -1,6 +1,7 @@
 #include "spill.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -137,7 +138,10 @@ std::string Spill::status() const {
 }
 
 void Spill::adorn(viewer::Picture& picture) const {
-    if (pouringRate_ > 0) showJug(picture);
+    if (pouringRate_ > 0) {
+        showJug(picture);
+        showStream(picture);
+    }
     std::ostringstream text;
     text << std::fixed << std::setprecision(0) << 1e3 * poured() << " g poured; stain of "
          << 100 * stain().radius() << " cm radius";
@@ -145,16 +149,49 @@ void Spill::adorn(viewer::Picture& picture) const {
     picture.caption.push_back(text.str());
 }
 
+/// A round jug with a neck and a handle, tilted so far that its mouth is at the spout.
 void Spill::showJug(viewer::Picture& picture) const {
     const Eigen::Vector3f china(0.75f, 0.74f, 0.70f), spout = spout_.cast<float>();
-    const auto piece = [&](const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius) {
-        picture.rods.push_back({spout + from, spout + to, radius, china, viewer::Material::paint});
+    const Eigen::Vector3f axis(0.86f, 0.51f, 0), upwards(-0.51f, 0.86f, 0);
+    const auto piece = [&](const Eigen::Vector2f& from, const Eigen::Vector2f& to, float radius) {
+        const auto place = [&](const Eigen::Vector2f& at) -> Eigen::Vector3f {
+            return spout + at.x() * axis + at.y() * upwards;
+        };
+        picture.rods.push_back({place(from), place(to), radius, china, viewer::Material::paint});
     };
-    piece({0.08f, 0.02f, 0}, {0.20f, 0.09f, 0}, 0.055f);
-    piece({0.02f, 0.01f, 0}, {0.10f, 0.02f, 0}, 0.016f);
-    // The thread of water, as one drop that is drawn out over all of its way while the picture is exposed.
+    piece({0.105f, 0}, {0.20f, 0}, 0.052f);
+    piece({0.075f, 0}, {0.12f, 0}, 0.037f);
+    piece({0.050f, 0}, {0.08f, 0}, 0.024f);
+    piece({0.018f, 0}, {0.06f, 0}, 0.015f);
+    const std::array<Eigen::Vector2f, 5> handle{
+        {{0.07f, 0.03f}, {0.085f, 0.075f}, {0.13f, 0.09f}, {0.185f, 0.08f}, {0.21f, 0.04f}}};
+    for (std::size_t i = 1; i < handle.size(); ++i) piece(handle[i - 1], handle[i], 0.007f);
+}
+
+/// Two drops that are drawn out while the picture is exposed, from the lip on: one over all the way, which ends in the
+/// cloth, and one that makes the stream thicker where it is still slow. Small ones leap up where it ends.
+void Spill::showStream(viewer::Picture& picture) const {
+    constexpr int leaping = 14;
+    constexpr float gravity = 9.81f, perLength = 120;  // m/s2, 1/s
+    const Eigen::Vector3f spout = spout_.cast<float>();
     const float fall = spout.y() - float(table_.position.y() + table_.halfExtents.y());
-    picture.drops.push_back({spout - Eigen::Vector3f(0, fall / 2, 0), {0, -120 * fall, 0}, 0.005f});
+    const auto thread = [&](float length, float radius) {
+        picture.drops.push_back(
+            {spout - Eigen::Vector3f(0, length / 2, 0), {0, -perLength * length, 0}, radius});
+    };
+    thread(1.04f * fall, 0.0036f);
+    thread(0.5f * fall, 0.0042f);
+    for (int i = 0; i < leaping; ++i) {
+        const float turns = 6 * float(time()) + 0.618f * float(i), share = turns - std::floor(turns);
+        const float angle = 2.4f * float(i) + 1.7f * std::floor(turns),
+                    upwards = 0.35f + 0.035f * float(i % 7);
+        const float flight = 2 * upwards / gravity * share, out = 0.004f + 0.45f * flight;
+        const Eigen::Vector3f way(std::cos(angle), 0, std::sin(angle));
+        const float height = 0.003f - fall + upwards * flight - gravity * flight * flight / 2;
+        picture.drops.push_back({spout + out * way + Eigen::Vector3f(0, height, 0),
+                                 0.45f * way + Eigen::Vector3f(0, upwards - gravity * flight, 0),
+                                 0.0012f + 0.0002f * float(i % 4)});
+    }
 }
 
 std::optional<std::string> Spill::moment() const {

@@ -46,6 +46,7 @@ class Spill final : public StagedScene {
     double deepestInTable() const;
     double waterTime(double seconds) const { return seconds * cloth().waterSpeed(); }
     void showJug(viewer::Picture& picture) const;
+    void showStream(viewer::Picture& picture) const;
 
     SolidDescription table_;
     Eigen::Vector3d spout_;

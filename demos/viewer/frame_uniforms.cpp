@@ -19,6 +19,12 @@ void addBalls(FrameUniforms& uniforms, const std::vector<Ball>& balls) {
     uniforms.ground[1] = static_cast<float>(count);
 }
 
+void addOpenGround(FrameUniforms& uniforms, const OpenGround& open) {
+    uniforms.ground[2] = std::clamp(open.covered, 0.0f, 1.0f);
+    uniforms.ground[3] = std::clamp(open.wetness, 0.0f, 1.0f);
+    uniforms.patched = {open.from.x(), open.from.y(), open.to.x(), open.to.y()};
+}
+
 }  // namespace
 
 FrameUniforms cameraUniforms(const Picture& picture, const std::vector<Ball>& balls, int width, int height,
@@ -34,10 +40,11 @@ FrameUniforms cameraUniforms(const Picture& picture, const std::vector<Ball>& ba
     uniforms.offsetFromClip = (projection * turned).inverse();
     uniforms.shadowFromWorld = shadow.clipFromWorld;
     uniforms.eye = packed(picture.camera.eye(), 1.0f);
-    uniforms.towardsSun = packed(picture.towardsSun.normalized(), 0.0f);
+    uniforms.towardsSun = packed(picture.towardsSun.normalized(), picture.sunshine);
     uniforms.shadowSize = {shadow.side, shadow.texel, shadow.depth, 0.0f};
     uniforms.ground[0] = picture.groundHeight;
     addBalls(uniforms, balls);
+    addOpenGround(uniforms, picture.openGround);
     uniforms.lens = {projection(2, 2), projection(2, 3), 2.0f / (projection(1, 1) * rows), 0.0f};
     return uniforms;
 }

@@ -18,15 +18,18 @@ struct FrameUniforms {
     Eigen::Matrix<float, 4, 4, Eigen::DontAlign> offsetFromClip;
     Eigen::Matrix<float, 4, 4, Eigen::DontAlign> shadowFromWorld;
     std::array<float, 4> eye;
+    // Direction, and the share of its light that passes the clouds.
     std::array<float, 4> towardsSun;
     // Side, texel and depth of the shadow map, metres.
     std::array<float, 4> shadowSize;
-    // Ground height and number of balls.
+    // Ground height, number of balls, and of the open ground the share that is wet and how wet that is.
     std::array<float, 4> ground;
     // Centre and radius of the balls that darken what is near them.
     std::array<std::array<float, 4>, mostBalls> balls;
     // The two elements of the projection that make depth; width that a pixel sees at a distance of 1.
     std::array<float, 4> lens;
+    // The rectangle beyond which the ground is open: its least x and z, its largest.
+    std::array<float, 4> patched;
 };
 
 // The block as the camera sees the picture of width x height pixels, with the picture's drawable

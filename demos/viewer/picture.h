@@ -131,6 +131,18 @@ struct WetPatch {
     float outline = 0.0f;
 };
 
+// What rain has done to the ground out in the open, beyond a rectangle within which patches tell. It blends into
+// them over half a metre within the border.
+struct OpenGround {
+    // Share of it that drops have met, 0 to 1.
+    float covered = 0.0f;
+    // Of what they have met, 0 (dry) to 1 (dark and glossy).
+    float wetness = 1.0f;
+    // Corners of the rectangle, x and z.
+    Eigen::Vector2f from = Eigen::Vector2f::Zero();
+    Eigen::Vector2f to = Eigen::Vector2f::Zero();
+};
+
 // What the colours of a picture of a quantity mean; they run evenly from one value to the other.
 struct Legend {
     // With its unit: "water content, kg/kg".
@@ -182,11 +194,14 @@ struct Picture {
     std::vector<Streak> streaks;
     std::vector<MistPuff> mist;
     std::vector<WetPatch> patches;
+    OpenGround openGround;
     // Height of the level ground, a terrace of flagstones (10 rows of 0.5 m, 0.7 m long each) in a lawn; it
     // is seen from above only.
     float groundHeight = 0.0f;
     // Points from the scene to the sun; any length above 0.
     Eigen::Vector3f towardsSun = Eigen::Vector3f(-0.62f, 0.75f, 0.50f);
+    // Share of its light that passes the clouds, 0 (overcast, with a paler sky) to 1.
+    float sunshine = 1.0f;
     Camera camera;
     // Shows the values of the sheets in colours in place of their own looks.
     std::optional<Legend> legend;

@@ -40,6 +40,9 @@ void requireDrawable(const Picture& picture) {
     if (!picture.towardsSun.allFinite() || !(picture.towardsSun.norm() > 1e-6f)) {
         throw std::runtime_error("viewer: towardsSun must be finite and longer than 0");
     }
+    if (!(picture.sunshine >= 0.0f && picture.sunshine <= 1.0f)) {
+        throw std::runtime_error("viewer: sunshine must be 0 to 1, not " + std::to_string(picture.sunshine));
+    }
     if (!std::isfinite(picture.groundHeight)) {
         throw std::runtime_error("viewer: groundHeight must be finite");
     }

@@ -107,7 +107,7 @@ void main() {
 
     vec3 mirror = reflect(-towardsEye, normal);
     float share = fresnel(0.02, max(dot(normal, towardsEye), 0.0));
-    vec3 glint = sunLight * sun * (6.0 * pow(max(dot(mirror, towardsSun.xyz), 0.0), 160.0) +
+    vec3 glint = sunLight() * sun * (6.0 * pow(max(dot(mirror, towardsSun.xyz), 0.0), 160.0) +
                                    1.2 * pow(max(dot(outwards, towardsSun.xyz), 0.0), 24.0));
     vec3 light = through * (1.0 - share) + toneMapped(share * mirroredLight(mirror, 0.05)) + glint;
     colour = vec4(min(light, 1.0), covered * opacity);
@@ -148,7 +148,7 @@ out vec4 colour;
 void main() {
     vec3 away = normalize(middle - eye.xyz);
     float intoSun = max(dot(away, towardsSun.xyz), 0.0);
-    vec3 sky = 0.62 * mix(horizonLight, zenithLight, 0.4) + 0.5 * sunLight * pow(intoSun, 8.0);
+    vec3 sky = 0.62 * mix(horizonLight, zenithLight, 0.4) + 0.5 * sunLight() * pow(intoSun, 8.0);
     float across = exp(-4.0 * onStreak.x * onStreak.x);
     float ends = 1.0 - onStreak.y * onStreak.y;
     colour = vec4(toneMapped(sky), opacity * across * ends);
@@ -204,7 +204,7 @@ void main() {
     // Henyey and Greenstein's phase function of droplets that scatter forwards, 1 on average.
     const float g = 0.6;
     float phase = (1.0 - g * g) / pow(1.0 + g * g - 2.0 * g * intoSun, 1.5);
-    vec3 light = 0.85 * ambientLight(vec3(0.0, 1.0, 0.0)) + 0.35 * phase * sun * sunLight;
+    vec3 light = 0.85 * ambientLight(vec3(0.0, 1.0, 0.0)) + 0.35 * phase * sun * sunLight();
     colour = vec4(toneMapped(light), 1.0 - exp(-optical));
 }
 )";

@@ -29,6 +29,19 @@ struct Soil {
     float height;
 };
 
+// Small round holes, one in some of the cells of a grid: 1 in them, 0 elsewhere.
+float pores(vec2 at, float pixel) {
+    const float perMetre = 95.0;
+    vec2 scaled = perMetre * at;
+    vec2 cell = floor(scaled);
+    vec2 middle = vec2(latticeValue(cell), latticeValue(cell + 57.0));
+    float radius = 0.16 * latticeValue(cell + 23.0) + 0.02;
+    float away = length(scaled - cell - 0.5 - 0.6 * middle);
+    float soft = 0.07 + perMetre * pixel;
+    return (1.0 - smoothstep(radius - soft, radius + soft, away)) * step(0.0, radius) *
+           (1.0 - smoothstep(0.0010, 0.0022, pixel));
+}
+
 // Rows of flagstones, 0.5 m by 0.7 m, each of a tone of its own, with sand in the joints.
 Soil paving(vec2 at, float pixel) {
     const vec2 size = vec2(0.7, 0.5);
@@ -46,13 +59,14 @@ Soil paving(vec2 at, float pixel) {
     float stains = layeredNoise(1.6 * at + 3.0 * tone, 1.6 * pixel);
     float grain = layeredNoise(60.0 * at, 60.0 * pixel);
     float pits = layeredNoise(21.0 * at + 17.0 * tone, 21.0 * pixel);
-    float pores = smoothstep(0.18, 0.42, valueNoise(330.0 * at)) * (1.0 - smoothstep(0.0012, 0.003, pixel));
     const vec3 grey = vec3(0.265, 0.262, 0.248), warm = vec3(0.285, 0.258, 0.212);
     vec3 stoneAlbedo = mix(grey, warm, 0.5 + 0.9 * latticeValue(slab + 31.0));
-    stoneAlbedo *= 1.0 + 0.16 * tone + 0.16 * stains + 0.20 * grain + 0.12 * pits - 0.22 * pores;
+    stoneAlbedo *= 1.0 + 0.16 * tone + 0.16 * stains + 0.20 * grain + 0.12 * pits - 0.22 * pores(at, pixel);
     vec3 sand = vec3(0.115, 0.105, 0.078) * (1.0 + 0.3 * grain);
     float rounded = smoothstep(0.0, 0.02, edge) * (1.0 - smoothstep(0.004, 0.02, pixel));
-    return Soil(mix(stoneAlbedo, sand, joint), 0.0016 * rounded + 0.0007 * grain + 0.0010 * pits);
+    // The pits of one slab do not go on in the next.
+    float uneven = (1.0 - joint) * (0.0007 * grain + 0.0010 * pits);
+    return Soil(mix(stoneAlbedo, sand, joint), 0.0016 * rounded + uneven);
 }
 
 // Short grass, seen as tufts and patches.
@@ -72,6 +86,19 @@ float onTerrace(vec2 at, float pixel) {
     return 1.0 - smoothstep(-0.02 - pixel, 0.02 + pixel, edge);
 }
 
+// How wet rain has made open ground: spots that run together, then a film.
+float openWetness(vec2 at, float pixel) {
+    if (ground.z <= 0.0) {
+        return 0.0;
+    }
+    vec2 outside = max(patched.xy - at, at - patched.zw);
+    float away = max(outside.x, outside.y) + 0.7 * layeredNoise(1.7 * at, 1.7 * pixel);
+    float open = smoothstep(-0.5, 0.0, away);
+    float soft = mix(0.2, 1.0, smoothstep(0.3, 0.9, 14.0 * pixel));
+    float spots = 1.2 * layeredNoise(14.0 * at, 14.0 * pixel);
+    return ground.w * open * smoothstep(-soft, soft, spots + 2.4 * ground.z - 1.2);
+}
+
 void main() {
     const vec3 up = vec3(0.0, 1.0, 0.0);
     vec2 at = position.xz;
@@ -88,7 +115,7 @@ void main() {
     s.reflectance = 0.0;
     s.roughness = 1.0;
     s.openness = opennessAmongBalls(position, up);
-    float wet = wetnessHere() * mix(0.35, 1.0, paved);
+    float wet = max(wetnessHere(), openWetness(at, pixel)) * mix(0.35, 1.0, paved);
     // A film of water lies smoothly over what is uneven.
     s.normal = normalize(mix(bumped(position, up, soil.height), up, 0.8 * wet));
     makeWet(s, wet);

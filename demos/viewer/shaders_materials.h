@@ -114,7 +114,7 @@ vec3 shadedMetal(Surface s) {
     vec3 towardsEye = normalize(eye.xyz - s.position);
     float facingEye = max(dot(s.normal, towardsEye), 0.02);
     float facingSun = max(dot(s.normal, towardsSun.xyz), 0.0);
-    vec3 sun = sunLight * sunVisible(s.position, s.normal) * facingSun;
+    vec3 sun = sunLight() * sunVisible(s.position, s.normal) * facingSun;
     vec3 mirrored = mirroredLight(reflect(-towardsEye, s.normal), s.roughness);
     vec3 scattered = 0.25 * (ambientLight(s.normal) + sun);
     vec3 glint = sun * sunGlint(s, towardsEye, facingSun, facingEye);

@@ -144,7 +144,7 @@ vec3 clothLight(Cloth c) {
     float facingEye = max(dot(c.normal, towardsEye), 0.02);
     float towards = dot(c.normal, towardsSun.xyz);
     float facingSun = max(towards, 0.0);
-    vec3 sun = sunLight * sunVisible(c.position, c.filmNormal);
+    vec3 sun = sunLight() * sunVisible(c.position, c.filmNormal);
     vec3 colour = diffuseLight(c, sun, towards);
 
     float rim = pow(max(1.0 - facingEye, 0.0), 3.0);

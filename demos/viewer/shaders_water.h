@@ -139,10 +139,22 @@ float caustics(vec3 place, float down) {
 }
 
 // Whether a pixel shows not what is at a place, or beyond the water there, but something before it.
-bool hides(ivec2 pixel, vec3 place) {
+bool hidesAlone(ivec2 pixel, vec3 place) {
     vec3 seen = placeBehind(pixel);
     bool beforeWater = dot(seen - position, normal) > 0.0;
     return beforeWater || (inWater(seen) && distance(seen, eye.xyz) < distance(place, eye.xyz) - 0.04);
+}
+
+// Also where that is only near the pixel, whose colour has a share of it then.
+bool hides(ivec2 pixel, vec3 place) {
+    ivec2 last = textureSize(sceneDepth, 0) - 1;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = pixel + 2 * ivec2(i & 1, i >> 1) - 1;
+        if (hidesAlone(clamp(corner, ivec2(0), last), place)) {
+            return true;
+        }
+    }
+    return hidesAlone(pixel, place);
 }
 
 // The pixel of a place, or if something hides that, the nearest that is clear: what is hidden looks alike.
@@ -173,13 +185,29 @@ float meniscus() {
     return width / blurred * exp(-min(fromGlass.x, fromGlass.y) / blurred);
 }
 
+// The picture round a place, and in w the share of it that lies near the place in depth too: less at an edge, and for
+// what is thin.
+vec4 mirroredRound(vec3 place) {
+    ivec2 size = textureSize(scene, 0);
+    ivec2 middle = pixelOf(place);
+    int apart = max(size.y / 360, 1);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 9; ++i) {
+        ivec2 pixel = clamp(middle + apart * (ivec2(i % 3, i / 3) - 1), ivec2(0), size - 1);
+        vec3 seen = placeBehind(pixel);
+        float known = step(distance(seen, place), 0.06);
+        sum += known * vec4(texelFetch(scene, pixel, 0).rgb, 1.0);
+    }
+    return vec4(sum.rgb / max(sum.w, 1.0), smoothstep(0.3, 1.0, sum.w / 9.0));
+}
+
 // What the surface mirrors: solids and sheets where the picture shows them, else sky and ground. Already tone
 // mapped.
 vec3 mirroredScene(vec3 direction, float roughness) {
     const int steps = 32;
     const float reach = 1.6;
     vec3 around = toneMapped(mirroredLight(direction, roughness));
-    float before = 0.0;
+    float nearer = 0.0;
     for (int i = 1; i <= steps; ++i) {
         float share = float(i) / float(steps);
         float far = reach * share * share;
@@ -189,15 +217,19 @@ vec3 mirroredScene(vec3 direction, float roughness) {
         if (clip.w <= 0.0 || max(edge.x, edge.y) > 1.0) {
             return around;
         }
-        float behindIt = distance(place, eye.xyz) - distance(placeBehind(pixelOf(place)), eye.xyz);
-        if (behindIt > 0.0 && behindIt < 0.02 + 1.5 * (far - before)) {
-            vec3 met = position + firstHidden(direction, before, far) * direction;
+        vec3 seen = placeBehind(pixelOf(place));
+        float behindIt = distance(place, eye.xyz) - distance(seen, eye.xyz);
+        // Nothing on the far side of the surface is mirrored by it.
+        bool before = dot(seen - position, normal) > 0.0;
+        if (before && behindIt > 0.0 && behindIt < 0.02 + 1.5 * (far - nearer)) {
+            vec3 met = position + firstHidden(direction, nearer, far) * direction;
             if (isSeen(met)) {
+                vec4 found = mirroredRound(met);
                 vec2 kept = smoothstep(1.0, 0.85, edge);
-                return mix(around, texelFetch(scene, pixelOf(met), 0).rgb, kept.x * kept.y);
+                return mix(around, found.rgb, found.w * kept.x * kept.y);
             }
         }
-        before = far;
+        nearer = far;
     }
     return around;
 }
@@ -231,7 +263,7 @@ void main() {
     float facingSun = max(dot(facing, towardsSun.xyz), 0.0);
     vec3 mirrored = mirroredScene(reflect(-towardsEye, facing), s.roughness);
     vec3 glint =
-        sunLight * sunVisible(position, normal) * facingSun * sunGlint(s, towardsEye, facingSun, facingEye);
+        sunLight() * sunVisible(position, normal) * facingSun * sunGlint(s, towardsEye, facingSun, facingEye);
     float share = fresnel(s.reflectance, facingEye);
     if (onTop) {
         share = mix(share, 0.75, meniscus());

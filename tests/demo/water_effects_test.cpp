@@ -144,6 +144,28 @@ TEST(WaterEffects, APlaceDriesInTheTimeOfItsLayerAtTheRateOfTheAir) {
     EXPECT_EQ(effects.places().size(), 0u);
 }
 
+TEST(WaterEffects, OpenGroundGetsWetAsFastAsTheRainFallsAndDriesAgain) {
+    const auto world = worldWithGround();
+    WaterEffects effects(world->world());
+    for (int frame = 0; frame < 600; ++frame) {
+        effects.rain(60, downwards, region(0.3, 1));
+        effects.step(frameTime, Air());
+    }
+    const viewer::OpenGround wet = pictureOf(effects).openGround;
+    EXPECT_NEAR(wet.covered, 1 - std::exp(-OpenGround::withinOutline * 60 / 360 / WetPlaces::layer), 0.02);
+    EXPECT_EQ(wet.wetness, 1);
+    EXPECT_LT((wet.from - Eigen::Vector2f(-0.3f, -0.3f)).norm(), 1e-6f);
+    EXPECT_LT((wet.to - Eigen::Vector2f(0.3f, 0.3f)).norm(), 1e-6f);
+    effects.rain(0, downwards, region(0.3, 1));
+    Air air;
+    air.wind = {2, 0, 0};
+    const double time = WetPlaces::layer / (evaporation(air, 2, 0.5).rate / 2);
+    effects.step(0.9 * time, air);
+    EXPECT_GT(pictureOf(effects).openGround.covered, 0);
+    effects.step(1.2 * time, air);
+    EXPECT_EQ(pictureOf(effects).openGround.covered, 0);
+}
+
 TEST(WaterEffects, CountsStayWithinTheirLimits) {
     const auto world = worldWithGround();
     WaterEffectsLimits limits;

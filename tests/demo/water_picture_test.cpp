@@ -225,6 +225,41 @@ TEST_F(WaterPicture, WetGroundIsDarkerByAngstromsRatio) {
     }
 }
 
+TEST_F(WaterPicture, OpenGroundIsDarkerBeyondItsRectangle) {
+    const auto light = [&](float covered, float halfSide) {
+        Picture picture;
+        picture.camera.target = {0, 0, 0};
+        picture.camera.distance = 2;
+        picture.camera.pitch = 1.2f;
+        picture.openGround.covered = covered;
+        picture.openGround.from = {-halfSide, -halfSide};
+        picture.openGround.to = {halfSide, halfSide};
+        return lightInTheMiddle(renderer_.capture(picture, width, height), 1);
+    };
+    const double dry = light(0, -5);
+    EXPECT_LT(light(1, -5), 0.8 * dry);
+    EXPECT_NEAR(light(1, 20), dry, 0.01 * dry);
+}
+
+TEST_F(WaterPicture, ShadowsAreFaintUnderAnOvercastSky) {
+    const auto shadow = [&](float sunshine) {
+        Picture picture;
+        picture.camera.target = {0, 0, 0};
+        picture.camera.distance = 2;
+        picture.camera.pitch = 1.2f;
+        picture.sunshine = sunshine;
+        const double lit = lightInTheMiddle(renderer_.capture(picture, width, height), 1);
+        Ball ball;
+        ball.radius = 1;
+        ball.centre = 4 * picture.towardsSun;
+        picture.balls.push_back(ball);
+        return lightInTheMiddle(renderer_.capture(picture, width, height), 1) / lit;
+    };
+    EXPECT_LT(shadow(1), 0.75);
+    EXPECT_GT(shadow(0), 0.9);
+    EXPECT_THROW(shadow(1.5f), std::runtime_error);
+}
+
 TEST_F(WaterPicture, APoolMirrorsWhatStandsOverIt) {
     Picture picture;
     Water water;
