@@ -209,7 +209,7 @@ vec3 valueColour(vec3 upright) {
     int lower = min(int(share), 7);
     vec3 mapped = mix(legendColours[lower].rgb, legendColours[lower + 1].rgb, share - float(lower));
     float wrapped = 0.5 + 0.5 * dot(upright, normalize(towardsSun.xyz + normalize(eye.xyz - position)));
-    return mapped * mix(0.45, 1.0, wrapped);
+    return mapped * mix(0.25, 1.0, wrapped);
 }
 
 void main() {
@@ -230,8 +230,9 @@ void main() {
     Cloth c;
     c.position = position;
     c.normal = sloped(upright, slope, rightwards, upwards, clothRight, clothUp);
-    // A thick film levels the threads under it.
-    c.filmNormal = sloped(upright, mix(0.75, 0.12, gloss) * slope, rightwards, upwards, clothRight, clothUp);
+    // A thick film levels the threads under it, but never quite: smooth is only foil.
+    float levelled = mix(0.9, 0.5, gloss);
+    c.filmNormal = sloped(upright, levelled * slope, rightwards, upwards, clothRight, clothUp);
     float pale = threading.y > 0.5 && threading.y < 1.5 ? 1.0 : mix(0.75, 1.0, dryness);
     c.albedo = clamp(albedo * (1.0 + pale * relief.shade) * (1.0 + sewn.shade), 0.0, 0.97);
     c.transmittance = mix(transmittance, transmittance / (2.0 - transmittance), sewn.folded);
@@ -239,7 +240,7 @@ void main() {
     float patches = smoothstep(0.0, 0.5, 1.4 * gloss - 0.2 + 3.0 * relief.shade);
     float menisci = 0.6 * smoothstep(0.1, 0.6, dampness);
     c.film = max(patches * smoothstep(0.0, 0.15, gloss), menisci);
-    c.roughness = mix(mix(0.50, 0.28, menisci), 0.19, gloss) + (1.0 - gloss) * relief.rough;
+    c.roughness = mix(mix(0.50, 0.36, menisci), 0.28, gloss) + levelled * levelled * relief.rough;
     c.dryness = dryness;
     float fold = clamp(side * hollow * 0.09, -0.3, 1.0);
     // However close a ball is, some light comes along between it and the cloth.
