@@ -117,12 +117,10 @@ void Clothesline::noteMoment() {
         bool reached;
     };
     const double left = (content() - balance_) / (contentOf(samples_.front()) - balance_);
-    const Moment moments[] = {{"clothesline-1-soaked", frames() >= 1},
-                              {"clothesline-2-dripping", frames() >= 45},
-                              {"clothesline-3-half-dry", left < 0.5},
-                              {"clothesline-4-drying", left < 0.25},
-                              {"clothesline-5-damp", left < 0.1},
-                              {"clothesline-6-dry", finished()}};
+    const Moment moments[] = {
+        {"clothesline-1-soaked", frames() >= 1}, {"clothesline-2-dripping", frames() >= 45},
+        {"clothesline-3-half-dry", left < 0.5},  {"clothesline-4-drying", left < 0.25},
+        {"clothesline-5-damp", left < 0.1},      {"clothesline-6-dry", finished()}};
     momentNow_.reset();
     if (momentsPassed_ < std::size(moments) && moments[momentsPassed_].reached)
         momentNow_ = moments[momentsPassed_++].name;
