@@ -1,0 +1,62 @@
+#include "files/whole_file.h"
+
+#include <fstream>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace drench::files {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The name under which a file is written until it is whole.
+fs::path unfinished(const fs::path& path) {
+    std::random_device lot;
+    return path.parent_path() / ("drench-" + std::to_string(lot()) + "-" + std::to_string(lot()) + ".part");
+}
+
+void refuse(const fs::path& path, const std::string& why) {
+    throw std::runtime_error("cannot write " + path.string() + ": " + why);
+}
+
+}  // namespace
+
+void checkWritable(const fs::path& path) {
+    std::error_code problem;
+    if (fs::exists(path, problem) && !fs::is_regular_file(path, problem)) {
+        refuse(path, "it is there and is no file");
+    }
+    if (path.has_parent_path()) {
+        fs::create_directories(path.parent_path(), problem);
+    }
+    if (problem) {
+        refuse(path, "its folder cannot be created; choose another");
+    }
+    const fs::path trial = unfinished(path);
+    if (!std::ofstream(trial)) {
+        refuse(path, "its folder lets nobody write, or not you; choose another");
+    }
+    fs::remove(trial, problem);
+}
+
+void writeWhole(const fs::path& path, std::string_view contents) {
+    checkWritable(path);
+    const fs::path trial = unfinished(path);
+    std::ofstream file(trial, std::ios::binary);
+    file.write(contents.data(), static_cast<std::streamsize>(contents.size()));
+    file.close();
+    std::error_code problem;
+    if (file) {
+        fs::rename(trial, path, problem);
+    }
+    if (file && !problem) {
+        return;
+    }
+    fs::remove(trial, problem);
+    refuse(path, "is the disk full, or the name too long?");
+}
+
+}  // namespace drench::files
