@@ -9,14 +9,14 @@ set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/${DRENCH_PACKAGE})
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/drench DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(TARGETS drench EXPORT ${DRENCH_PACKAGE}-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+set(libraries drench)
+if(BUILD_SHARED_LIBS)
+  list(APPEND libraries drench_static)
+endif()
+install(TARGETS ${libraries} EXPORT ${DRENCH_PACKAGE}-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT ${DRENCH_PACKAGE}-targets NAMESPACE drench:: DESTINATION ${package_directory})
 
 # For CMake.
-set(DRENCH_STATIC_DEPENDENCIES "")
-if(NOT BUILD_SHARED_LIBS)
-  file(READ ${CMAKE_CURRENT_LIST_DIR}/drench-static-dependencies.cmake DRENCH_STATIC_DEPENDENCIES)
-endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/drench-config.cmake.in ${DRENCH_PACKAGE}-config.cmake
   INSTALL_DESTINATION ${package_directory} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 # Before 1.0 each minor version may change what is there.
