@@ -7,7 +7,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "viewer/whole_file.h"
+#include "files/whole_file.h"
 
 namespace drench::demo {
 namespace {
@@ -44,7 +44,7 @@ TEST(Table, NamesTheFileThatItCannotWriteAndLeavesWhatIsThere) {
     } catch (const std::runtime_error& problem) {
         EXPECT_NE(std::string(problem.what()).find("a.csv"), std::string::npos);
     }
-    EXPECT_THROW(viewer::checkWritable("/dev/full"), std::runtime_error);
+    EXPECT_THROW(files::checkWritable("/dev/full"), std::runtime_error);
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
     EXPECT_TRUE(std::filesystem::is_directory(folder / "a.csv"));
     std::filesystem::remove_all(folder);
