@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drench/drop.h"
+#include "drench/export.h"
 #include "drench/precision.h"
 #include "drench/wet_cloth.h"
 
@@ -19,7 +20,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// momentum, in its account "drops". Drops of a sheet whose water runs faster than mechanics fall as often as
 /// that, but push only as in mechanical time. Optional: an application may as well draw the drops of
 /// WetCloth::takeDrops itself, or ignore them.
-class FallingDrops {
+class DRENCH_API FallingDrops {
   public:
     /// Drops that fall together.
     struct Flight {
@@ -61,8 +62,8 @@ class FallingDrops {
     double massLost() const { return massLost_; }
 
   private:
-    struct Sheets;
-    struct Origins;
+    struct DRENCH_LOCAL Sheets;
+    struct DRENCH_LOCAL Origins;
 
     void takeDrops();
     bool land(std::size_t flight, const Eigen::Vector3d& to);

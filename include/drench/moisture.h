@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drench/cloth_mesh.h"
+#include "drench/export.h"
 #include "drench/fabric.h"
 #include "drench/ledger.h"
 
@@ -29,7 +30,7 @@ struct Surroundings {
 /// Pore water sits between the fibres, up to `poreCapacity(i)`; film water stands on the two faces. Masses
 /// are kept in double, so that a million small steps lose nothing that the ledger would notice; what is
 /// derived from them is single precision.
-class Moisture {
+class DRENCH_API Moisture {
   public:
     /// Drops that fell from a node within one step.
     struct Shed {
@@ -120,7 +121,7 @@ class Moisture {
     std::size_t bytesPerNode() const;
 
   private:
-    struct Parts;
+    struct DRENCH_LOCAL Parts;
 
     void checkWater(std::size_t node, double mass, std::size_t account) const;
     void absorb(double dt);

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "drench/export.h"
 #include "drench/precision.h"
 
 namespace drench {
@@ -64,7 +65,7 @@ struct SmallSteps {
 /// feel nothing.
 /// After the step m_rcontacts and m_scontacts hold what was touched in it. A substep that comes to something
 /// not finite leaves the sheet where it was, at rest; see SheetHealth.
-class SmallStepSolver final : public btDefaultSoftBodySolver {
+class DRENCH_API SmallStepSolver final : public btDefaultSoftBodySolver {
   public:
     /// @throws std::invalid_argument for a count or tolerance out of range
     explicit SmallStepSolver(const SmallSteps& settings = {});
@@ -86,7 +87,7 @@ class SmallStepSolver final : public btDefaultSoftBodySolver {
     void processCollision(btSoftBody* body, btSoftBody* other) override;
 
   private:
-    struct State;
+    struct DRENCH_LOCAL State;
     std::unique_ptr<State> state_;
 };
 

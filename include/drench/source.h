@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "drench/cloth_mesh.h"
+#include "drench/export.h"
 
 namespace drench {
 
 /// Things that keep rain off, as the world around a sheet knows them.
-class Shelter {
+class DRENCH_API Shelter {
   public:
     virtual ~Shelter() = default;
     /// Whether anything solid lies between two points, m. The sheet itself is no shelter.
@@ -19,7 +20,7 @@ class Shelter {
 };
 
 /// A sheet as it is at the start of a step. Arrays have one entry a node.
-struct SheetPose {
+struct DRENCH_API SheetPose {
     const ClothMesh& mesh;
     const std::vector<Eigen::Vector3d>& positions;         ///< m
     const std::vector<Eigen::Vector3d>& velocities;        ///< m/s
@@ -42,11 +43,11 @@ struct SheetPose {
 
 /// Share of a node that is under water at a depth, m, below the surface: it rises from 0 at 1 cm above to 1 at
 /// 1 cm below as 3 t^2 - 2 t^3, so that what floats lies still (assumed).
-double shareUnderWater(double depth);
+DRENCH_API double shareUnderWater(double depth);
 
 /// Where a source puts its water. Masses are kg, at least 0 and finite; nodes without cloth are not for
 /// watering. Anything else throws std::invalid_argument or std::out_of_range and leaves the sheet as it is.
-class Supply {
+class DRENCH_API Supply {
   public:
     virtual ~Supply() = default;
     /// Onto the faces of a node; arrives with a velocity, m/s, whose momentum the node takes up.
@@ -74,7 +75,7 @@ class Supply {
 /// Something that brings water. Derive from it for a source of your own: at the start of every step Drench
 /// calls `supply` with the time that passes and the sheet as it is, and writes down what it adds and takes in
 /// the account of its name.
-class Source {
+class DRENCH_API Source {
   public:
     virtual ~Source() = default;
     /// Name of its account in the ledger.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <random>
 
+#include "drench/export.h"
 #include "drench/source.h"
 
 namespace drench {
@@ -15,7 +16,7 @@ namespace drench {
 /// fall; a ray from there against the fall tells whether a solid thing keeps it off, so that a step costs no
 /// more rays than drops. The same seed gives the same drops on one platform. Cloth stretched to over 1.5
 /// times its rest area catches no more than at that. Without gravity `intensity` is across the fall.
-class Rain final : public Source {
+class DRENCH_API Rain final : public Source {
   public:
     double intensity;  ///< on level ground, mm/h; 0 to 1000
     Eigen::Vector3d velocity = {
@@ -40,7 +41,7 @@ class Rain final : public Source {
 /// at most `raysPerStep` nodes in turn and remembers the answers; until its first turn a node counts as in
 /// the open. A node is wetted if it lies in the cone itself: a cone that is narrower than the mesh is wide
 /// may pass between nodes.
-class Spray final : public Source {
+class DRENCH_API Spray final : public Source {
   public:
     Eigen::Vector3d origin;     ///< m
     Eigen::Vector3d direction;  ///< of the cone's axis; any length above 0
@@ -83,7 +84,7 @@ class Spray final : public Source {
 /// back. A level that is changed rises or falls through still water. Drag and lift go by the body's time,
 /// wetting by the water's (SheetSettings::waterSpeed); with over some 1e4 of that, film and pores fill and empty
 /// within each step, and cloth in the pool trembles. Without gravity the pool does nothing.
-class Pool final : public Source {
+class DRENCH_API Pool final : public Source {
   public:
     /// Height of the surface, m; -1e9 to 1e9: its places are those whose scalar product with the way up, the
     /// unit vector against the gravity of the body's world info, is this.
@@ -100,7 +101,7 @@ class Pool final : public Source {
 };
 
 /// Grey values of a picture.
-struct Mask {
+struct DRENCH_API Mask {
     int width = 0;              ///< pixels, at least 1
     int height = 0;             ///< pixels, at least 1
     std::vector<float> values;  ///< 0 (black) to 1 (white), row by row from the top
@@ -114,10 +115,10 @@ struct Mask {
 /// Reads a picture (PNG and what else stb_image knows); colours become their luminance, as stored;
 /// transparent is black.
 /// @throws std::runtime_error that names the file and says what is wrong with it
-Mask readMask(const std::filesystem::path& path);
+DRENCH_API Mask readMask(const std::filesystem::path& path);
 
 /// Water put on chosen places over a time.
-class Soak final : public Source {
+class DRENCH_API Soak final : public Source {
   public:
     /// Spreads `mass` kg over nodes, by their area at rest, each once, within `duration` s of water time; 0:
     /// all in the first step.
@@ -152,7 +153,7 @@ class Soak final : public Source {
 };
 
 /// A wet brush in space: wets the cloth within a radius, most in the middle. Move it with `centre`.
-class Brush final : public Source {
+class DRENCH_API Brush final : public Source {
   public:
     Eigen::Vector3d centre;  ///< m
     double radius;           ///< m; 1e-4 to 100

@@ -14,6 +14,7 @@
 
 #include "drench/air.h"
 #include "drench/drop.h"
+#include "drench/export.h"
 #include "drench/fabric.h"
 #include "drench/ledger.h"
 #include "drench/moisture.h"
@@ -123,7 +124,7 @@ struct SheetHealth {
 /// thread that steps the world.
 ///
 /// Node indices are those of the body; each call that takes one throws std::out_of_range for one that is not there.
-class WetCloth {
+class DRENCH_API WetCloth {
   public:
     /// Attaches to a body, in the world or not yet in it.
     /// @param world   that the body is or will be in: a btSoftRigidDynamicsWorld, btSoftMultiBodyDynamicsWorld
@@ -276,7 +277,7 @@ class WetCloth {
     friend class Touch;
     void addSource(std::unique_ptr<Source> source);
 
-    struct Layer;
+    struct DRENCH_LOCAL Layer;
     std::shared_ptr<Layer> layer_;  // shared with none but those who watch whether it still is
 };
 
