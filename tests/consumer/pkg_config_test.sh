@@ -7,5 +7,5 @@ export PKG_CONFIG_PATH
 program=$(mktemp)
 trap 'rm -f "$program"' EXIT
 # shellcheck disable=SC2046  # one word a flag
-"$compiler" -std=c++17 -O2 "$source" -o "$program" $(pkg-config --cflags --libs drench)
+"$compiler" -std=c++17 "$source" -o "$program" $(pkg-config --cflags --libs drench)
 LD_LIBRARY_PATH=$PKG_CONFIG_PATH/.. "$program"
