@@ -11,6 +11,7 @@
 #include "drench/drying.h"
 #include "drench/water.h"
 #include "link_constants.h"
+#include "mending.h"
 #include "stop_watch.h"
 #include "vectors.h"
 
@@ -93,6 +94,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       body(sheet),
       stepping(settings.stepping),
       waterSpeed(checkedWaterSpeed("SheetSettings::waterSpeed", settings.waterSpeed)),
+      troubles(settings.onTrouble),
       fabric(aFabric),
       mechanics(checkedMechanics(world, body, fabric, settings)),
       mesh(mechanics.mesh),
@@ -118,6 +120,8 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
         deformable = std::make_unique<DeformableSheet>(world, body, mechanics, dryMasses(),
                                                        std::max(1.0, double(fabric.wetStretchRatio)),
                                                        std::max(1.0, double(fabric.wetBendingRatio)));
+    pose.gather(body, mesh);
+    topology.remember(body);
     if (stepping == Stepping::byWorld) listenToPreTick(world, *this);
 }
 
@@ -181,8 +185,10 @@ void WetCloth::Layer::add(std::unique_ptr<Source> source) {
     if (!source) throw std::invalid_argument("drench: there is no source to add; give one");
     if (watch.bodyIsAlive()) {
         // A source checks its settings at every step; at one of no length it does nothing else.
-        pose.gather(body, mesh);
-        pose.gatherMotion(body);
+        if (fits()) {
+            pose.gather(body, mesh);
+            pose.gatherMotion(body);
+        }
         NoSupply trial;
         source->supply(sheetPose(), 0, trial);
     }
@@ -233,6 +239,11 @@ void WetCloth::Layer::preTick(btScalar dt) {
 }
 
 void WetCloth::Layer::substep(btScalar dt) {
+    if (!(dt > 0) || !std::isfinite(dt))
+        throw std::invalid_argument("drench: a substep of " + std::to_string(dt) +
+                                    " s; give a positive finite time");
+    troubles.begin(time, mechanics.times.substeps);
+    if (!fitToBody()) return;
     checkBeforeStep(dt);
     keepPrimed(body, mechanics.shape);
     taken.silenceAero(body);
@@ -258,7 +269,8 @@ void WetCloth::Layer::substep(btScalar dt) {
 }
 
 void WetCloth::Layer::postTick(btScalar dt) {
-    if (!isInWorld() || !body.isActive()) return;
+    // Where the application has cut the cloth since the substep began, contacts are of nodes that are gone.
+    if (!isInWorld() || !body.isActive() || !fits() || topology.hasMoved(body)) return;
     StopWatch watchOfContacts;
     using Mover = ClothContacts::Mover;
     if (deformable) {
@@ -294,7 +306,12 @@ void WetCloth::Layer::supply(double waterTime) {
     const std::size_t count = suppliers.size();
     for (std::size_t i = 0; i < count; ++i) {
         Source* const source = suppliers[i].source.get();
-        if (source) source->supply(sheet, waterTime, *suppliers[i].supply);
+        if (!source) continue;
+        try {
+            source->supply(sheet, waterTime, *suppliers[i].supply);
+        } catch (const std::exception& problem) {
+            troubles.noteThrown(Trouble::source, "the source \"" + source->name() + "\": " + problem.what());
+        }
     }
 }
 
@@ -321,13 +338,13 @@ void WetCloth::Layer::touchSolids() {
 void WetCloth::Layer::moveWater(double waterTime) {
     // The rate below the bound maximum divides by 1 - humidity, and in saturated air stays what it is just before.
     constexpr double dampest = 0.999;
-    Air around = air;
-    around.humidity = std::min(air.humidity, dampest);
+    Air around = usedAir;
+    around.humidity = std::min(around.humidity, dampest);
     const double speed = std::min((winds.mean() - pose.meanVelocity).norm(), 100.0);
     const double length = std::clamp(std::sqrt(totalArea), 1e-3, 100.0);
     surroundings.gravity = pose.gravity;
     surroundings.humidity = around.humidity;
-    surroundings.dryingRate = air.vapourExchange > 0 ? evaporation(around, speed, length).rate : 0.0;
+    surroundings.dryingRate = around.vapourExchange > 0 ? evaporation(around, speed, length).rate : 0.0;
     moisture.step(waterTime, surroundings);
 }
 
@@ -340,44 +357,64 @@ void WetCloth::Layer::collectDrops() {
     }
 }
 
+bool WetCloth::Layer::fits() const {
+    return mechanics.fits && hasCountsOf(body, mechanics.shape);
+}
+
+bool WetCloth::Layer::fitToBody() {
+    if (topology.hasMoved(body)) forgetContacts(body);
+    topology.remember(body);
+    if (mechanics.fits && topology.isAsItWas(body, mechanics.shape)) return true;
+    troubles.note(Trouble::topology,
+                  "the body has got, lost or exchanged nodes, links or faces since the WetCloth was made; destroy the "
+                  "WetCloth before changing the body's topology and make another after");
+    mechanics.fits = false;
+    mechanics.movedBySmallSteps = false;
+    return false;
+}
+
 void WetCloth::Layer::checkBeforeStep(btScalar dt) {
-    if (!(dt > 0) || !std::isfinite(dt))
-        throw std::invalid_argument("drench: a substep of " + std::to_string(dt) +
-                                    " s; give a positive finite time");
-    if (!(body.m_cfg.timescale > 0) || !std::isfinite(body.m_cfg.timescale))
-        throw std::runtime_error("drench: the body's m_cfg.timescale is " +
-                                 std::to_string(body.m_cfg.timescale) + "; give a positive number");
-    if (!air.wind.allFinite())
-        throw std::runtime_error("drench: the wind is not finite; mend WetCloth::air().wind");
-    validate(air);
-    const btVector3& gravity = body.m_worldInfo->m_gravity;
-    if (!std::isfinite(gravity.length2()))
-        throw std::runtime_error(
-            "drench: the gravity of the body's world info is not finite; mend getWorldInfo()->m_gravity");
-    constexpr double strongest = 1e4;  // m/s2
-    if (double(gravity.length()) > strongest)
-        throw std::runtime_error("drench: the gravity of the body's world info is " +
-                                 std::to_string(gravity.length()) +
-                                 " m/s2; give at most 10000 in getWorldInfo()->m_gravity");
-    if (body.m_nodes.size() != static_cast<int>(mesh.size()) ||
-        body.m_links.size() != static_cast<int>(mechanics.shape.links.size()) ||
-        body.m_faces.size() != static_cast<int>(mesh.triangles.size()))
-        throw std::runtime_error(
-            "drench: the body has got or lost nodes, links or faces since the WetCloth was made; destroy the "
-            "WetCloth before changing the body's topology and make another after");
-    pose.gather(body, mesh);
-    for (int n = 0; !pose.isFinite && n < body.m_nodes.size(); ++n) {
-        const btVector3 sum = body.m_nodes[n].m_x + body.m_nodes[n].m_v + body.m_nodes[n].m_f;
-        if (!std::isfinite(sum.x() + sum.y() + sum.z()))
-            throw std::runtime_error(
-                "drench: node " + std::to_string(n) +
-                " has a position, velocity or force that is not finite; a force or an obstacle of the "
-                "application has blown the sheet up before this substep");
-    }
+    // What the application has set up wrongly, which nobody but it can put right.
     if (deformable) deformable->check(world, double(dt));
+    mendBody();
+    reportHeldSubsteps();
     // The last, as shelter lasts from step to step.
+    readAir(bodyStepOf(dt));
+}
+
+void WetCloth::Layer::mendBody() {
+    mendSettings(body, mechanics.shape, troubles);
+    mendGravity(body, usedGravity, troubles);
+    usedGravity = body.m_worldInfo->m_gravity;
+    if (pose.gather(body, mesh)) return;
+    mendNodes(body, pose, mechanics, troubles);
+    pose.gather(body, mesh);
+}
+
+void WetCloth::Layer::reportHeldSubsteps() {
+    if (std::exchange(heldSubsteps, mechanics.heldSubsteps) == mechanics.heldSubsteps) return;
+    troubles.note(Trouble::motion,
+                  "the small steps of the last substep took node " + std::to_string(mechanics.heldNode) +
+                      " to a place that is not finite, so the sheet stayed where it was, at rest; look for forces, "
+                      "speeds or obstacles beyond all measure",
+                  mechanics.heldNode);
+}
+
+void WetCloth::Layer::readAir(double bodyStep) {
     StopWatch watchOfWind;
-    winds.evaluate(air, {pose, toEigen(body.m_nodes[0].m_x), time, bodyStepOf(dt), world});
+    try {
+        if (!air.wind.allFinite())
+            throw std::runtime_error("drench: the wind is not finite; mend WetCloth::air().wind");
+        validate(air);
+        usedAir = air;
+    } catch (const std::exception& problem) {
+        troubles.noteThrown(Trouble::air, problem.what());
+    }
+    try {
+        winds.evaluate(usedAir, {pose, toEigen(pose.origin), time, bodyStep, world});
+    } catch (const std::exception& problem) {
+        troubles.noteThrown(Trouble::air, problem.what());
+    }
     mechanics.times.air += watchOfWind.lap();
 }
 

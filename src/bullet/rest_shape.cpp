@@ -23,6 +23,14 @@ void prime(btSoftBody& body) {
     body.updateConstants();
 }
 
+void writeRestLengths(btSoftBody& body, const RestShape& shape) {
+    for (int i = 0; i < body.m_links.size(); ++i) {
+        btSoftBody::Link& link = body.m_links[i];
+        link.m_rl = shape.restLengths[static_cast<std::size_t>(i)] * body.m_restLengthScale;
+        link.m_c1 = link.m_rl * link.m_rl;
+    }
+}
+
 void keepPrimed(btSoftBody& body, const RestShape& shape) {
     // Bullet makes the tree while it primes, which it no longer does.
     using Collision = btSoftBody::fCollision;
@@ -31,11 +39,7 @@ void keepPrimed(btSoftBody& body, const RestShape& shape) {
 
     if (!body.m_bUpdateRtCst) return;
     body.m_bUpdateRtCst = false;
-    for (int i = 0; i < body.m_links.size(); ++i) {
-        btSoftBody::Link& link = body.m_links[i];
-        link.m_rl = shape.restLengths[static_cast<std::size_t>(i)] * body.m_restLengthScale;
-        link.m_c1 = link.m_rl * link.m_rl;
-    }
+    writeRestLengths(body, shape);
 }
 
 RestShape restShapeOf(const btSoftBody& body) {

@@ -21,6 +21,13 @@ struct RestShape {
     std::vector<btScalar> restLengths;  // m, of each link
 };
 
+/// Whether the body has as many nodes, links and faces as it had.
+inline bool hasCountsOf(const btSoftBody& body, const RestShape& shape) {
+    return body.m_nodes.size() == static_cast<int>(shape.nodeAreas.size()) &&
+           body.m_links.size() == static_cast<int>(shape.links.size()) &&
+           body.m_faces.size() == static_cast<int>(shape.triangles.size());
+}
+
 /// Index of a node in its body.
 inline int indexOf(const btSoftBody& body, const btSoftBody::Node* node) {
     return static_cast<int>(node - &body.m_nodes[0]);
@@ -29,6 +36,9 @@ inline int indexOf(const btSoftBody& body, const btSoftBody::Node* node) {
 /// What Bullet does at the first step of a body that waits to be primed, now: rest lengths, link constants
 /// and areas from the shape as it is. Does nothing for any other body.
 void prime(btSoftBody& body);
+
+/// Sets the links' rest lengths, times the body's scale.
+void writeRestLengths(btSoftBody& body, const RestShape& shape);
 
 /// Makes Bullet forget a request to prime the body again, which setMass leaves behind and which would take
 /// the stretched links of the moment for rest; and makes the face tree that soft-soft contacts, and all in

@@ -48,6 +48,8 @@ struct SheetMechanics {
     bool movedBySmallSteps = false;  // in the last substep
     int smallSteps = 0;              // of the last substep
     int heldSubsteps = 0;            // that came to nothing finite
+    int heldNode = -1;               // with which the last of them did
+    bool fits = true;                // whether the body still is this cloth; if not, Drench lets it be
 
     StepTimes times;
 };
