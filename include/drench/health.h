@@ -75,6 +75,8 @@ struct SheetHealth {
     /// Whether the body is the cloth that the WetCloth knows. If not, strain and penetration are 0, and the next
     /// step fits the WetCloth to it; see `WetCloth`.
     bool fits;
+    /// How many times it has been fitted to a body that was cut.
+    int refits;
     /// Kinds of trouble there have been; see `WetCloth::troubles`.
     int troubles;
 };

@@ -11,7 +11,6 @@
 #include "drench/drying.h"
 #include "drench/water.h"
 #include "link_constants.h"
-#include "mending.h"
 #include "stop_watch.h"
 #include "vectors.h"
 
@@ -78,14 +77,6 @@ SheetMechanics checkedMechanics(const btCollisionWorld& world, const btSoftBody&
     return {fabric, std::move(shape), std::move(mesh)};
 }
 
-std::vector<Eigen::Vector2d> nodeCoordinates(const ClothMesh& mesh) {
-    std::vector<Eigen::Vector2d> coordinates(mesh.size(), Eigen::Vector2d::Zero());
-    for (std::size_t t = mesh.triangles.size(); t-- > 0;)  // so that the first face has the last word
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            coordinates[static_cast<std::size_t>(mesh.triangles[t][corner])] = mesh.coordinates[t][corner];
-    return coordinates;
-}
-
 }  // namespace
 
 WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const Fabric& aFabric,
@@ -121,7 +112,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
                                                        std::max(1.0, double(fabric.wetStretchRatio)),
                                                        std::max(1.0, double(fabric.wetBendingRatio)));
     pose.gather(body, mesh);
-    topology.remember(body);
+    topology.follow(body);
     if (stepping == Stepping::byWorld) listenToPreTick(world, *this);
 }
 
@@ -243,7 +234,11 @@ void WetCloth::Layer::substep(btScalar dt) {
         throw std::invalid_argument("drench: a substep of " + std::to_string(dt) +
                                     " s; give a positive finite time");
     troubles.begin(time, mechanics.times.substeps);
-    if (!fitToBody()) return;
+    if (!fitToBody()) {
+        time += bodyStepOf(dt);
+        ++mechanics.times.substeps;
+        return;
+    }
     checkBeforeStep(dt);
     keepPrimed(body, mechanics.shape);
     taken.silenceAero(body);
@@ -269,8 +264,12 @@ void WetCloth::Layer::substep(btScalar dt) {
 }
 
 void WetCloth::Layer::postTick(btScalar dt) {
-    // Where the application has cut the cloth since the substep began, contacts are of nodes that are gone.
-    if (!isInWorld() || !body.isActive() || !fits() || topology.hasMoved(body)) return;
+    if (!isInWorld()) return;
+    if (topology.hasMoved(body)) {  // as the application has cut the cloth since the substep began
+        topology.follow(body);
+        keepFaceTree(body);
+    }
+    if (!body.isActive() || !fits()) return;
     StopWatch watchOfContacts;
     using Mover = ClothContacts::Mover;
     if (deformable) {
@@ -355,67 +354,6 @@ void WetCloth::Layer::collectDrops() {
             {toEigen(node.m_x), toEigen(node.m_v), dropMass, shed.drops, time, static_cast<int>(shed.node)});
         if (drops.size() > mostDropsKept) drops.pop_front();
     }
-}
-
-bool WetCloth::Layer::fits() const {
-    return mechanics.fits && hasCountsOf(body, mechanics.shape);
-}
-
-bool WetCloth::Layer::fitToBody() {
-    if (topology.hasMoved(body)) forgetContacts(body);
-    topology.remember(body);
-    if (mechanics.fits && topology.isAsItWas(body, mechanics.shape)) return true;
-    troubles.note(Trouble::topology,
-                  "the body has got, lost or exchanged nodes, links or faces since the WetCloth was made; destroy the "
-                  "WetCloth before changing the body's topology and make another after");
-    mechanics.fits = false;
-    mechanics.movedBySmallSteps = false;
-    return false;
-}
-
-void WetCloth::Layer::checkBeforeStep(btScalar dt) {
-    // What the application has set up wrongly, which nobody but it can put right.
-    if (deformable) deformable->check(world, double(dt));
-    mendBody();
-    reportHeldSubsteps();
-    // The last, as shelter lasts from step to step.
-    readAir(bodyStepOf(dt));
-}
-
-void WetCloth::Layer::mendBody() {
-    mendSettings(body, mechanics.shape, troubles);
-    mendGravity(body, usedGravity, troubles);
-    usedGravity = body.m_worldInfo->m_gravity;
-    if (pose.gather(body, mesh)) return;
-    mendNodes(body, pose, mechanics, troubles);
-    pose.gather(body, mesh);
-}
-
-void WetCloth::Layer::reportHeldSubsteps() {
-    if (std::exchange(heldSubsteps, mechanics.heldSubsteps) == mechanics.heldSubsteps) return;
-    troubles.note(Trouble::motion,
-                  "the small steps of the last substep took node " + std::to_string(mechanics.heldNode) +
-                      " to a place that is not finite, so the sheet stayed where it was, at rest; look for forces, "
-                      "speeds or obstacles beyond all measure",
-                  mechanics.heldNode);
-}
-
-void WetCloth::Layer::readAir(double bodyStep) {
-    StopWatch watchOfWind;
-    try {
-        if (!air.wind.allFinite())
-            throw std::runtime_error("drench: the wind is not finite; mend WetCloth::air().wind");
-        validate(air);
-        usedAir = air;
-    } catch (const std::exception& problem) {
-        troubles.noteThrown(Trouble::air, problem.what());
-    }
-    try {
-        winds.evaluate(usedAir, {pose, toEigen(pose.origin), time, bodyStep, world});
-    } catch (const std::exception& problem) {
-        troubles.noteThrown(Trouble::air, problem.what());
-    }
-    mechanics.times.air += watchOfWind.lap();
 }
 
 void WetCloth::Layer::writeBack(double bodyStep) {

@@ -79,6 +79,8 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     void checkBeforeStep(btScalar dt);
     /// Whether the body is the cloth that this knows, as it is made to be if it can.
     bool fitToBody();
+    void refit();
+    void leaveToBullet();
     /// Whether the body can have been changed since the last substep; looks at counts only.
     bool fits() const;
     void mendBody();
@@ -137,6 +139,9 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
 
     std::vector<Arrival> arrivals;  // since the last substep
     int heldSubsteps = 0;           // that have been reported
+    int refits = 0;                 // to a body that was cut
+    PartCounts refused = {0, 0, 0};  // of the body that could not be followed last
+    std::string whyRefused;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "body_watch.h"
+#include "face_tree.h"
 #include "moving_sheet.h"
 #include "sheet_mechanics.h"
 #include "soft_contacts.h"
@@ -112,7 +113,7 @@ void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
 /// those that may come within the substep, and bonds as far as they reach: around each node it looks twice as far as
 /// from m_x to m_q.
 void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth, const Grip& grip) {
-    if (body.m_fdbvt.empty()) body.initializeFaceTree();  // which else comes with the first stock step
+    if (body.m_fdbvt.empty()) makeFaceTree(body);  // which else comes with the first stock step
     const btScalar margin = body.getCollisionShape()->getMargin();
     ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
     btScalar farthest = 0;

@@ -1,5 +1,7 @@
 #include "topology_watch.h"
 
+#include <cstdint>
+
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
@@ -7,8 +9,8 @@ namespace {
 
 constexpr std::size_t callsForAll = 64;
 
-template <typename Array>
-const void* placeOf(const Array& array) {
+template <typename Element>
+const Element* placeOf(const btAlignedObjectArray<Element>& array) {
     return array.size() > 0 ? &array[0] : nullptr;
 }
 
@@ -20,9 +22,25 @@ bool holdsForPart(std::size_t count, std::size_t part, IsRight isRight) {
     return true;
 }
 
+/// By addresses alone, as there is nothing any more where the nodes were.
+void moveAnchors(btSoftBody& body, const btSoftBody::Node* from) {
+    const auto start = reinterpret_cast<std::uintptr_t>(from);
+    for (int i = 0; i < body.m_deformableAnchors.size(); ++i) {
+        btSoftBody::Node*& node = body.m_deformableAnchors[i].m_node;
+        const std::uintptr_t index = (reinterpret_cast<std::uintptr_t>(node) - start) / sizeof(btSoftBody::Node);
+        const bool isNew = node >= &body.m_nodes[0] && node < &body.m_nodes[0] + body.m_nodes.size();
+        if (!isNew && index < static_cast<std::uintptr_t>(body.m_nodes.size()))
+            node = &body.m_nodes[static_cast<int>(index)];
+    }
+}
+
 }  // namespace
 
-void TopologyWatch::remember(const btSoftBody& body) {
+void TopologyWatch::follow(btSoftBody& body) {
+    if (nodes_ && hasMoved(body)) {
+        forgetContacts(body);
+        moveAnchors(body, nodes_);
+    }
     nodes_ = placeOf(body.m_nodes);
     links_ = placeOf(body.m_links);
     faces_ = placeOf(body.m_faces);

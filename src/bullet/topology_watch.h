@@ -13,8 +13,9 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class TopologyWatch {
   public:
-    /// Keeps where Bullet has the parts of the body.
-    void remember(const btSoftBody& body);
+    /// Keeps where Bullet has the parts of the body. Drops what of it points to where they were before, or, as anchors
+    /// of the deformable world, which Bullet forgets, sets it right.
+    void follow(btSoftBody& body);
     /// Whether Bullet has moved them in memory since, as it does when some are appended. What points to them,
     /// contacts and the tree of faces, then points nowhere.
     bool hasMoved(const btSoftBody& body) const;
@@ -25,13 +26,13 @@ class TopologyWatch {
     bool isAsItWas(const btSoftBody& body, const RestShape& shape);
 
   private:
-    const void* nodes_ = nullptr;
+    const btSoftBody::Node* nodes_ = nullptr;
     const void* links_ = nullptr;
     const void* faces_ = nullptr;
     std::size_t part_ = 0;  // of the parts that come next
 };
 
-/// Drops what points to nodes and faces that Bullet has moved.
+/// Drops contacts and the tree of faces.
 void forgetContacts(btSoftBody& body);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -157,6 +157,7 @@ SheetHealth WetCloth::health() const {
             mechanics.smallSteps,
             mechanics.heldSubsteps,
             fits,
+            layer_->refits,
             static_cast<int>(layer_->troubles.reports().size())};
 }
 
