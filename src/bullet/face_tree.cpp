@@ -61,10 +61,15 @@ btDbvntNode* withNormals(const btDbvtNode& from) {
 
 }  // namespace
 
-void makeFaceTree(btSoftBody& body) {
+void dropFaceTree(btSoftBody& body) {
     body.m_fdbvt.clear();
     delete body.m_fdbvnt;
     body.m_fdbvnt = nullptr;
+    for (int f = 0; f < body.m_faces.size(); ++f) body.m_faces[f].m_leaf = nullptr;
+}
+
+void makeFaceTree(btSoftBody& body) {
+    dropFaceTree(body);
     Leaves leaves;
     leaves.reserve(static_cast<std::size_t>(body.m_faces.size()));
     for (int f = 0; f < body.m_faces.size(); ++f)

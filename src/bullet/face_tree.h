@@ -12,5 +12,8 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// never ends for cloth of two pieces. In place of those that there are.
 void makeFaceTree(btSoftBody& body);
 
+/// Drops them.
+void dropFaceTree(btSoftBody& body);
+
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

@@ -18,15 +18,29 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
+/// Whether each node has cloth, or a link to one that has.
+std::vector<bool> areHeld(const RestShape& shape) {
+    std::vector<bool> held;
+    for (const double area : shape.nodeAreas) held.push_back(area > 0);
+    for (const LinkNodes& link : shape.links)
+        for (std::size_t end = 0; end < 2; ++end)
+            if (shape.nodeAreas[static_cast<std::size_t>(link.nodes[1 - end])] > 0)
+                held[static_cast<std::size_t>(link.nodes[end])] = true;
+    return held;
+}
+
 /// Makes a body that was cut one that Bullet can step as the cloth that it is.
 void writeCut(btSoftBody& body, const SheetMechanics& mechanics, std::size_t oldNodes) {
     forgetContacts(body);
     double mass = 0;
     for (const double nodeMass : mechanics.masses) mass += nodeMass / double(mechanics.masses.size());
-    // Bullet's new nodes are of 1 kg; a loose end without cloth weighs as much as others.
+    // Bullet's new nodes are of 1 kg; a loose end without cloth weighs as much as others. What hangs on nothing, as
+    // Bullet leaves it behind, would fall for good, and stays.
+    const std::vector<bool> held = areHeld(mechanics.shape);
     for (std::size_t n = oldNodes; n < mechanics.masses.size(); ++n) {
         btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-        if (node.m_im > 0) node.m_im = btScalar(1 / mass);
+        if (node.m_im > 0) node.m_im = held[n] ? btScalar(1 / mass) : 0;
+        if (!held[n]) node.m_v.setZero();
     }
     writeMasses(body, mechanics.masses);
     for (int f = 0; f < body.m_faces.size(); ++f)

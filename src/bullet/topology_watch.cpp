@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "face_tree.h"
+
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
@@ -76,8 +78,7 @@ void forgetContacts(btSoftBody& body) {
     body.m_faceNodeContacts.clear();
     body.m_faceRigidContacts.clear();
     body.m_faceNodeContactsCCD.clear();
-    body.m_fdbvt.clear();
-    for (int f = 0; f < body.m_faces.size(); ++f) body.m_faces[f].m_leaf = nullptr;
+    dropFaceTree(body);
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

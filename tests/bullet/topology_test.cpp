@@ -163,7 +163,8 @@ TEST(Topology, RefiningIsFollowed) {
             rig.run(60);
             EXPECT_TRUE(rig.cloth().health().finite);
             EXPECT_LT(test::ledgerError(rig.cloth()), 1e-12);
-            EXPECT_LT(test::fastest(rig.sheet()), 10);
+            for (int n = 0; n < rig.sheet().m_nodes.size() && !cut; ++n)
+                EXPECT_LT(double(rig.sheet().m_nodes[n].m_v.length()), 5) << n;
         }
 }
 
