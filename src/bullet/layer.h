@@ -80,6 +80,7 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     /// Whether the body is the cloth that this knows, as it is made to be if it can.
     bool fitToBody();
     void refit();
+    void mendStranger();
     void leaveToBullet();
     /// Whether the body can have been changed since the last substep; looks at counts only.
     bool fits() const;
@@ -142,6 +143,7 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     int refits = 0;                 // to a body that was cut
     PartCounts refused = {0, 0, 0};  // of the body that could not be followed last
     std::string whyRefused;
+    std::vector<btVector3> strangersPlaces;  // of its nodes, m
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

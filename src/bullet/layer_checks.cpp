@@ -59,6 +59,7 @@ bool WetCloth::Layer::fits() const {
 bool WetCloth::Layer::fitToBody() {
     topology.follow(body);
     if (mechanics.fits && topology.isAsItWas(body, mechanics.shape)) return true;
+    mendStranger();
     // Whether it can be followed is looked at once, as that takes a while.
     if (mechanics.fits || refused != countsOf(body)) try {
             refused = countsOf(body);
@@ -73,6 +74,15 @@ bool WetCloth::Layer::fitToBody() {
                       "WetCloth before the change and make another after");
     leaveToBullet();
     return false;
+}
+
+/// What can be mended of a body whatever it has become.
+void WetCloth::Layer::mendStranger() {
+    mendSettings(body, troubles);
+    mendGravity(body, usedGravity, troubles);
+    if (mechanics.fits) strangersPlaces = pose.placesInWorld();
+    mendNodes(body, strangersPlaces, {}, troubles);
+    strangersPlaces = placesOf(body);
 }
 
 void WetCloth::Layer::leaveToBullet() {
@@ -116,11 +126,12 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) {
 }
 
 void WetCloth::Layer::mendBody() {
-    mendSettings(body, mechanics.shape, troubles);
+    mendSettings(body, troubles);
+    mendRestLengthScale(body, mechanics.shape, troubles);
     mendGravity(body, usedGravity, troubles);
     usedGravity = body.m_worldInfo->m_gravity;
     if (pose.gather(body, mesh)) return;
-    mendNodes(body, pose, mechanics, troubles);
+    mendNodes(body, pose.placesInWorld(), mechanics.masses, troubles);
     pose.gather(body, mesh);
 }
 

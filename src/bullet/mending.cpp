@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string>
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -59,8 +60,9 @@ bool isOff(double value) {
 
 class NodeMender {
   public:
-    NodeMender(btSoftBody& body, const Pose& lastGood, const SheetMechanics& mechanics, Troubles& troubles)
-        : body_(body), lastGood_(lastGood), mechanics_(mechanics), troubles_(troubles) {}
+    NodeMender(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
+               Troubles& troubles)
+        : body_(body), lastGood_(lastGood), masses_(masses), troubles_(troubles) {}
 
     void mend(int n) {
         btSoftBody::Node& node = body_.m_nodes[n];
@@ -91,16 +93,29 @@ class NodeMender {
                             " m along an axis; a force, an obstacle or a setting has blown the sheet up in the "
                             "substep before"),
                        n, off);
-        node.m_x = node.m_q = lastGood_.placeInWorld(static_cast<std::size_t>(n));
+        node.m_x = node.m_q = lastPlaceOf(n);
         node.m_v.setZero();
         const btScalar margin = body_.getCollisionShape()->getMargin();
         ATTRIBUTE_ALIGNED16(btDbvtVolume) volume = btDbvtVolume::FromCR(node.m_x, margin);
         if (node.m_leaf) body_.m_ndbvt.update(node.m_leaf, volume);
     }
 
+    btVector3 lastPlaceOf(int n) const {
+        const auto at = static_cast<std::size_t>(n);
+        if (at < lastGood_.size()) return lastGood_[at];
+        const btSoftBody::Node* const node = &body_.m_nodes[n];
+        for (int i = 0; i < body_.m_links.size(); ++i)
+            for (int end = 0; end < 2; ++end) {
+                const btSoftBody::Node& other = *body_.m_links[i].m_n[1 - end];
+                if (body_.m_links[i].m_n[end] == node && !isOff(excess(other.m_x, farthestPlace))) return other.m_x;
+            }
+        return lastGood_.empty() ? btVector3(0, 0, 0) : lastGood_[0];
+    }
+
     void mendMass(int n) {
         btSoftBody::Node& node = body_.m_nodes[n];
-        const double off = double(node.m_im), mass = mechanics_.masses[static_cast<std::size_t>(n)];
+        const auto at = static_cast<std::size_t>(n);
+        const double off = double(node.m_im), mass = at < masses_.size() ? masses_[at] : 0;
         troubles_.note(Trouble::mass,
                        text("node ", n, " has an inverse mass of ", off, " /kg; leave masses to Drench, and set "
                                                                          "m_im = 0 for a pin"),
@@ -109,14 +124,14 @@ class NodeMender {
     }
 
     btSoftBody& body_;
-    const Pose& lastGood_;
-    const SheetMechanics& mechanics_;
+    const std::vector<btVector3>& lastGood_;
+    const std::vector<double>& masses_;
     Troubles& troubles_;
 };
 
 }  // namespace
 
-void mendSettings(btSoftBody& body, const RestShape& shape, Troubles& troubles) {
+void mendSettings(btSoftBody& body, Troubles& troubles) {
     for (const Setting& setting : settings) {
         btScalar& value = body.m_cfg.*setting.value;
         if (value >= setting.least && value <= setting.most) continue;
@@ -129,6 +144,9 @@ void mendSettings(btSoftBody& body, const RestShape& shape, Troubles& troubles) 
                       -1, double(value));
         value = setting.standard;
     }
+}
+
+void mendRestLengthScale(btSoftBody& body, const RestShape& shape, Troubles& troubles) {
     if (body.m_restLengthScale >= shortestScale && body.m_restLengthScale <= longestScale) return;
     troubles.note(Trouble::bodySetting,
                   text("the body's rest length scale is ", body.m_restLengthScale,
@@ -149,9 +167,16 @@ void mendGravity(btSoftBody& body, const btVector3& lastGood, Troubles& troubles
     gravity = lastGood;
 }
 
-void mendNodes(btSoftBody& body, const Pose& lastGood, const SheetMechanics& mechanics, Troubles& troubles) {
-    NodeMender mender(body, lastGood, mechanics, troubles);
+void mendNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
+               Troubles& troubles) {
+    NodeMender mender(body, lastGood, masses, troubles);
     for (int n = 0; n < body.m_nodes.size(); ++n) mender.mend(n);
+}
+
+std::vector<btVector3> placesOf(const btSoftBody& body) {
+    std::vector<btVector3> places;
+    for (int n = 0; n < body.m_nodes.size(); ++n) places.push_back(body.m_nodes[n].m_x);
+    return places;
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -50,6 +50,12 @@ bool Pose::gather(const btSoftBody& body, const ClothMesh& mesh) {
     return isSound;
 }
 
+std::vector<btVector3> Pose::placesInWorld() const {
+    std::vector<btVector3> all;
+    for (std::size_t n = 0; n < heights.size(); ++n) all.push_back(origin + vectorOf(places[n]));
+    return all;
+}
+
 void Pose::gatherMotion(const btSoftBody& body) {
     for (int n = 0; n < body.m_nodes.size(); ++n) {
         positions[static_cast<std::size_t>(n)] = toEigen(body.m_nodes[n].m_x);

@@ -23,8 +23,8 @@ struct Pose {
     /// @return whether all positions, velocities, forces and inverse masses are such that one can calculate with
     ///     them; if not, places are those of the last time that they were
     bool gather(const btSoftBody& body, const ClothMesh& mesh);
-    /// Where a node is, in the world, m.
-    btVector3 placeInWorld(std::size_t node) const { return origin + vectorOf(places[node]); }
+    /// Where the nodes are, in the world, m.
+    std::vector<btVector3> placesInWorld() const;
     /// Reads positions and velocities once more, for sources.
     void gatherMotion(const btSoftBody& body);
 
