@@ -27,5 +27,8 @@ if(DRENCH_DOUBLE_PRECISION)
   target_compile_definitions(drench_bullet INTERFACE BT_USE_DOUBLE_PRECISION)
 endif()
 
+# The checksum of snapshots; only its header.
+find_path(DRENCH_XXHASH_INCLUDE xxhash.h REQUIRED)
+
 # Reads pictures: masks for soaking.
 pkg_check_modules(DRENCH_STB REQUIRED IMPORTED_TARGET stb)

@@ -14,6 +14,8 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
+class BulletPass;
+
 /// Rewrites the contacts that Bullet has found, before it solves them, so that each stops its node on the way
 /// to the solid and nothing else. Friction and the pull of bonds are done here, at once. As Bullet solves links
 /// after contacts, they pull nodes into solids and along them; here those are lifted out again, and those that
@@ -25,6 +27,9 @@ class StockContacts {
     void rewrite(const btCollisionWorld& world, btSoftBody& body, Grip& grip);
 
   private:
+    friend class BulletPass;
+    void state(BulletPass& pass);
+
     /// A node that a solid may hold.
     struct Held {
         int node;
