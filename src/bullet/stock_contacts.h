@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "contact_order.h"
 #include "drench/precision.h"
 #include "grip.h"
 #include "met_solids.h"
@@ -53,6 +54,7 @@ class StockContacts {
     /// Puts a node that friction holds back along the surface to where it has held it before.
     void stick(btSoftBody& body, const Held& held);
 
+    ContactOrder order_;
     MetSolids met_;
     Solids solids_;
     std::vector<Held> held_;
