@@ -84,7 +84,7 @@ void WetCloth::Layer::restore(const Snapshot& snapshot) {
     checkSameSheet(snapshot);
     checkSections(snapshot);
     restoreSections(snapshot);
-    world.updateSingleAabb(&body);
+    world.updateAabbs();  // in which rays look for solids, before the next step brings them up to date
 }
 
 void WetCloth::Layer::checkBetweenSteps() const {
