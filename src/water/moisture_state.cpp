@@ -1,5 +1,8 @@
 // What a sheet's water is from step to step.
 #include "drench/moisture.h"
+
+#include <algorithm>
+
 #include "state_pass.h"
 
 namespace drench {
@@ -26,9 +29,13 @@ void Moisture::state(StatePass& pass) {
 }
 
 /// Sources hold the numbers of their accounts; so those that are open stay where they are, and go back to nothing where
-/// the state knows none of that name.
+/// the state knows none of that name. An account in which nothing is might as well not be there.
 void Moisture::accountsState(StatePass& pass) {
-    std::vector<Account> accounts = pass.saves() ? accounts_ : std::vector<Account>();
+    std::vector<Account> accounts;
+    for (const Account& account : accounts_)
+        if (pass.saves() && (account.supplied > 0 || account.returned > 0)) accounts.push_back(account);
+    std::sort(accounts.begin(), accounts.end(),
+              [](const Account& a, const Account& b) { return a.name < b.name; });
     const std::size_t size = pass.count(accounts.size());
     if (pass.restores())
         for (Account& account : accounts_) account.supplied = account.returned = 0;
