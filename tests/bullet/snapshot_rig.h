@@ -16,9 +16,9 @@ namespace drench::test {
 
 enum class Mover { smallSteps, stock, explicitSteps, implicitSteps };
 
-inline std::unique_ptr<demo::SceneWorld> worldFor(Mover mover) {
+inline std::unique_ptr<demo::SceneWorld> worldFor(Mover mover, const SmallSteps& steps = {}) {
     if (mover == Mover::smallSteps)
-        return demo::makeWorld(demo::WorldKind::softRigid, demo::SolverKind::smallStep);
+        return demo::makeWorld(demo::WorldKind::softRigid, demo::SolverKind::smallStep, steps);
     if (mover == Mover::stock) return demo::makeWorld(demo::WorldKind::softRigid, demo::SolverKind::stock);
     auto world = std::make_unique<demo::DeformableWorld>();
     world->world().setImplicit(mover == Mover::implicitSteps);
@@ -29,7 +29,8 @@ inline std::unique_ptr<demo::SceneWorld> worldFor(Mover mover) {
 /// A world with sheets of which snapshots are taken together.
 class WetScene {
   public:
-    explicit WetScene(Mover mover) : mover_(mover), world_(worldFor(mover)) {}
+    explicit WetScene(Mover mover, const SmallSteps& steps = {})
+        : mover_(mover), world_(worldFor(mover, steps)) {}
     ~WetScene() {
         cloths_.clear();
         for (const auto& sheet : sheets_) world_->removeSoftBody(*sheet);
@@ -104,8 +105,9 @@ inline std::unique_ptr<WetScene> lyingOnBall(Mover mover) {
     btRigidBody& ball = scene->world().addBall({0, btScalar(-0.12), 0}, 0.1, 0);
     scene->world().addGround(-0.14);
     const Fabric fabric = fabrics::cottonPlain();
-    WetCloth& cloth =
-        scene->cover(scene->add(levelSheet(scene->world().worldInfo(), fabric, 0.4, 11, 0.005)), fabric);
+    btSoftBody& sheet = scene->add(levelSheet(scene->world().worldInfo(), fabric, 0.4, 11, 0));
+    sheet.translate({0, sheet.getCollisionShape()->getMargin() - btScalar(0.019), 0});
+    WetCloth& cloth = scene->cover(sheet, fabric);
     cloth.presoak(0.8 * fabric.poreCapacity());
     cloth.add(WetBody(ball)).amount = 0.01;
     return scene;
@@ -116,8 +118,9 @@ inline std::unique_ptr<WetScene> twoSheets(Mover mover) {
     auto scene = std::make_unique<WetScene>(mover);
     scene->world().addBox({0, btScalar(-0.1), 0}, {btScalar(0.1), btScalar(0.1), btScalar(0.1)});
     const Fabric fabric = fabrics::cottonPlain();
-    for (const double height : {0.01, 0.03}) {
-        auto sheet = levelSheet(scene->world().worldInfo(), fabric, 0.3, 9, height);
+    for (const int margins : {1, 3}) {
+        auto sheet = levelSheet(scene->world().worldInfo(), fabric, 0.3, 9, 5e-4 * margins);
+        sheet->translate({0, btScalar(margins) * sheet->getCollisionShape()->getMargin(), 0});
         sheet->m_cfg.collisions |=
             mover == Mover::explicitSteps || mover == Mover::implicitSteps ? btSoftBody::fCollision::VF_DD
                                                                             : btSoftBody::fCollision::VF_SS;

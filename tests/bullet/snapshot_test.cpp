@@ -2,6 +2,8 @@
 #include <drench/snapshot.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -72,6 +74,19 @@ TEST_P(SnapshotOf, AFreshWorldGoesOnAsTheOldOne) {
     }
 }
 
+/// Contacts of the last step with solids and other sheets.
+int contactsOf(const btSoftBody& sheet) {
+    return sheet.m_rcontacts.size() + sheet.m_scontacts.size() + sheet.m_nodeRigidContacts.size() +
+           sheet.m_faceNodeContacts.size();
+}
+
+TEST_P(SnapshotOf, IsTakenWhileSheetsTouch) {
+    if (GetParam().build == test::hangingInRain) return;
+    const auto scene = GetParam().build(GetParam().mover);
+    scene->step(GetParam().before);
+    EXPECT_GT(contactsOf(scene->sheet()), 0);
+}
+
 TEST_P(SnapshotOf, TheSamePresentHasTheSameFutureThreeTimes) {
     const auto scene = GetParam().build(GetParam().mover);
     scene->step(GetParam().before);
@@ -98,6 +113,132 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"TwoExplicit", test::twoSheets, Mover::explicitSteps, 200},
                     Case{"TwoImplicit", test::twoSheets, Mover::implicitSteps, 60}),
     [](const auto& each) { return each.param.name; });
+
+void expectSameFuture(WetScene& one, WetScene& other, int steps) {
+    for (int step = 1; step <= steps; ++step) {
+        one.step(1);
+        other.step(1);
+        if (step % 20 != 0 && step > 3) continue;
+        const auto here = bytesOf(one), there = bytesOf(other);
+        for (std::size_t i = 0; i < here.size(); ++i)
+            ASSERT_TRUE(here[i] == there[i]) << "after " << step << " steps " << difference(here[i], there[i]);
+    }
+}
+
+TEST(SnapshotRun, FiveHundredStepsOnAFile) {
+    const auto scene = test::hangingInRain(Mover::smallSteps), fresh = test::hangingInRain(Mover::smallSteps);
+    scene->step(100);
+    const auto file = std::filesystem::temp_directory_path() / "drench-run.snapshot";
+    writeSnapshot(file, scene->cloth().snapshot());
+    fresh->cloth().restore(readSnapshot(file));
+    std::filesystem::remove(file);
+    scene->step(500);
+    fresh->step(500);
+    EXPECT_TRUE(bytesOf(*scene) == bytesOf(*fresh));
+}
+
+std::unique_ptr<WetScene> tethered(Mover mover) {
+    SmallSteps steps;
+    steps.count = 6;
+    steps.tethers = true;
+    auto scene = std::make_unique<WetScene>(mover, steps);
+    const Fabric wool = fabrics::wool();
+    scene->cover(scene->add(test::hangingSheet(scene->world().worldInfo(), wool, 0.3, 9)), wool).soak(0.3);
+    return scene;
+}
+
+TEST(SnapshotRun, ASheetThatSleepsWakesAtTheSameMoment) {
+    const auto build = [] {
+        auto scene = tethered(Mover::smallSteps);
+        scene->cloth().add(Soak({40}, 4e-4, 5));
+        return scene;
+    };
+    const auto scene = build(), fresh = build();
+    scene->step(61);
+    scene->sheet().forceActivationState(ISLAND_SLEEPING);
+    scene->step(3);
+    ASSERT_FALSE(scene->sheet().isActive());
+    fresh->restore(scene->save());
+    EXPECT_FALSE(fresh->sheet().isActive());
+    expectSameFuture(*scene, *fresh, 120);
+    EXPECT_TRUE(scene->sheet().isActive()) << "water should have woken it";
+}
+
+TEST(SnapshotRun, TethersAndBendingFrictionGoOn) {
+    const auto scene = tethered(Mover::smallSteps), fresh = tethered(Mover::smallSteps);
+    scene->step(50);
+    fresh->restore(scene->save());
+    expectSameFuture(*scene, *fresh, 60);
+}
+
+TEST(SnapshotRun, PinsComeBackAsTheyWere) {
+    const auto scene = tethered(Mover::smallSteps);
+    scene->step(20);
+    const auto saved = scene->save();
+    for (int n = 0; n < 9; ++n) scene->sheet().m_nodes[n].m_im = scene->sheet().m_nodes[20].m_im;
+    scene->step(20);
+    scene->restore(saved);
+    EXPECT_EQ(scene->sheet().m_nodes[0].m_im, 0);
+    const auto fresh = tethered(Mover::smallSteps);
+    fresh->restore(saved);
+    expectSameFuture(*scene, *fresh, 40);
+}
+
+TEST(SnapshotRun, WaterThatTheApplicationAddsBetweenStepsIsNotLost) {
+    const auto scene = test::lyingOnBall(Mover::smallSteps), fresh = test::lyingOnBall(Mover::smallSteps);
+    scene->step(30);
+    scene->cloth().addWater(60, 1e-3, {0, -3, 0});
+    scene->cloth().account("jug").cover(5, 0.7);
+    scene->cloth().account("jug").submerge(7, 0.02, {0.1, 0, 0});
+    fresh->restore(scene->save());
+    EXPECT_EQ(fresh->cloth().ledger().supplied, scene->cloth().ledger().supplied);
+    expectSameFuture(*scene, *fresh, 40);
+}
+
+/// What an application keeps of a rigid body of its own.
+struct RigidState {
+    explicit RigidState(const btRigidBody& body)
+        : place(body.getWorldTransform()),
+          drawn(body.getInterpolationWorldTransform()),
+          velocity(body.getLinearVelocity()),
+          spin(body.getAngularVelocity()) {}
+    void restore(btRigidBody& body) const {
+        body.setWorldTransform(place);
+        body.setInterpolationWorldTransform(drawn);
+        for (const bool drawnToo : {false, true}) {
+            drawnToo ? body.setInterpolationLinearVelocity(velocity) : body.setLinearVelocity(velocity);
+            drawnToo ? body.setInterpolationAngularVelocity(spin) : body.setAngularVelocity(spin);
+        }
+        body.updateInertiaTensor();
+    }
+    btTransform place, drawn;
+    btVector3 velocity, spin;
+};
+
+/// A ball that falls into a hammock, and off it again.
+struct Hammock {
+    explicit Hammock(Mover mover) : scene(mover), ball(scene.world().addBall({0, btScalar(0.08), 0}, 0.05, 0.2)) {
+        ball.setActivationState(DISABLE_DEACTIVATION);
+        const Fabric fabric = fabrics::cottonPlain();
+        auto sheet = test::levelSheet(scene.world().worldInfo(), fabric, 0.4, 11, 0);
+        for (const int corner : {0, 10, 110, 120}) sheet->m_nodes[corner].m_im = 0;
+        scene.cover(scene.add(std::move(sheet)), fabric).presoak(0.1);
+    }
+    WetScene scene;
+    btRigidBody& ball;
+};
+
+TEST(SnapshotRun, ASolidThatMovesGoesOnWhereTheApplicationRestoresIt) {
+    for (const Mover mover : {Mover::smallSteps, Mover::stock}) {
+        Hammock one(mover), other(mover);
+        one.scene.step(mover == Mover::stock ? 104 : 13);
+        ASSERT_GT(contactsOf(one.scene.sheet()), 1);
+        RigidState(one.ball).restore(other.ball);
+        other.scene.restore(one.scene.save());
+        expectSameFuture(one.scene, other.scene, 60);
+        EXPECT_TRUE(one.ball.getWorldTransform() == other.ball.getWorldTransform());
+    }
+}
 
 }  // namespace
 }  // namespace drench
