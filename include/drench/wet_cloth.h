@@ -254,7 +254,8 @@ class DRENCH_API WetCloth {
 
     /// All that the next steps depend on, of the body, its water and what it touches, at this moment. Not in it is what
     /// the application sets: fabric, air and wind, water speed, surfaces, the settings of sources, of the body (m_cfg,
-    /// anchors, margin) and of the world; nor rigid bodies, nor drops that a FallingDrops has taken. See
+    /// anchors, margin) and of the world; nor rigid bodies, nor drops that a FallingDrops has
+    /// taken, which it can save itself. See
     /// docs/snapshots.md.
     /// @throws std::logic_error within a step, or while the body is not in its world; std::runtime_error for a sheet
     ///     that is not finite

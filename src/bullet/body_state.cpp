@@ -55,7 +55,8 @@ void BodyState::linksAndFaces(BulletPass& pass) {
 }
 
 void BodyState::sleep(BulletPass& pass) {
-    const auto activation = pass.value(static_cast<std::int32_t>(body_.getActivationState()), 0, DISABLE_SIMULATION);
+    const auto activation =
+        pass.value(static_cast<std::int32_t>(body_.getActivationState()), 0, DISABLE_SIMULATION);
     const auto time = pass.value(body_.getDeactivationTime(), 0);
     pass.number(body_.m_maxSpeedSquared, 0);
     pass.flag(body_.m_bUpdateRtCst);

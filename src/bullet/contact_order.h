@@ -36,7 +36,9 @@ class ContactOrder {
     /// Contacts are large, so each is moved once: along the ring of places that begins at one.
     template <typename Contact>
     void place(btAlignedObjectArray<Contact>& contacts, int start) {
-        const auto sourceOf = [&](int at) -> int& { return std::get<2>(keys_[static_cast<std::size_t>(at)]); };
+        const auto sourceOf = [&](int at) -> int& {
+            return std::get<2>(keys_[static_cast<std::size_t>(at)]);
+        };
         if (sourceOf(start) == start) return;
         const Contact first = contacts[start];
         int at = start;

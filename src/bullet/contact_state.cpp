@@ -43,8 +43,9 @@ bool ContactState::owns(const btSoftBody::Node* node) const {
 
 template <typename Contact>
 void ContactState::node(BulletPass& pass, Contact& contact) {
-    const auto index = pass.value(static_cast<std::int32_t>(pass.saves() ? indexOf(body_, contact.m_node) : 0), 0,
-                                  body_.m_nodes.size() - 1);
+    const auto index =
+        pass.value(static_cast<std::int32_t>(pass.saves() ? indexOf(body_, contact.m_node) : 0), 0,
+                   body_.m_nodes.size() - 1);
     if (pass.restores()) contact.m_node = &body_.m_nodes[index];
 }
 
@@ -68,7 +69,9 @@ void ContactState::touched(BulletPass& pass, btSoftBody::sCti& found) {
 }
 
 void ContactState::solids(BulletPass& pass) {
-    const auto isKnown = [&](const btSoftBody::RContact& contact) { return pass.knows(contact.m_cti.m_colObj); };
+    const auto isKnown = [&](const btSoftBody::RContact& contact) {
+        return pass.knows(contact.m_cti.m_colObj);
+    };
     list(pass, body_.m_rcontacts, isKnown, [&](btSoftBody::RContact& contact) {
         node(pass, contact);
         touched(pass, contact.m_cti);
@@ -79,7 +82,9 @@ void ContactState::solids(BulletPass& pass) {
 }
 
 void ContactState::softBodies(BulletPass& pass) {
-    const auto isKnown = [&](const btSoftBody::SContact& contact) { return pass.ownerOf(contact.m_face) != nullptr; };
+    const auto isKnown = [&](const btSoftBody::SContact& contact) {
+        return pass.ownerOf(contact.m_face) != nullptr;
+    };
     list(pass, body_.m_scontacts, isKnown, [&](btSoftBody::SContact& contact) {
         node(pass, contact);
         face(pass, contact);

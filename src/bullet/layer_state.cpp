@@ -89,10 +89,12 @@ void WetCloth::Layer::restore(const Snapshot& snapshot) {
 
 void WetCloth::Layer::checkBetweenSteps() const {
     if (supplying)
-        throw std::logic_error("drench: within a step a sheet has no state to keep or restore; wait for its end");
+        throw std::logic_error(
+            "drench: within a step a sheet has no state to keep or restore; wait for its end");
     if (!watch.bodyIsAlive() || !body.getBroadphaseHandle() || !isInWorld())
         throw std::logic_error(
-            "drench: the body is in no world, where its contacts had names; add it to the world of its WetCloth "
+            "drench: the body is in no world, where its contacts had names; add it to the world of its "
+            "WetCloth "
             "first");
     if (body.m_nodes.size() != static_cast<int>(mesh.size()) ||
         body.m_links.size() != static_cast<int>(mechanics.shape.links.size()) ||
@@ -111,7 +113,9 @@ void WetCloth::Layer::checkSameSheet(const Snapshot& snapshot) const {
     checkSame("links", snapshot.links(), static_cast<std::uint64_t>(body.m_links.size()));
     checkSame("faces", snapshot.faces(), static_cast<std::uint64_t>(body.m_faces.size()));
     if (snapshot.topology() != topology())
-        refuse("its links or faces join other nodes; build the body in the same way, and attach before links change");
+        refuse(
+            "its links or faces join other nodes; build the body in the same way, and attach before links "
+            "change");
 }
 
 std::uint64_t WetCloth::Layer::topology() const {

@@ -29,7 +29,8 @@ void FluidForces::state(BulletPass& pass) {
         pass.number(fluid_[n].massPerArea, 0);
         pass.number(fluid_[n].permeability, 0);
     }
-    pass.list(wet_, [&](std::size_t& node) { pass.index(node, count - 1); }, count);
+    pass.list(
+        wet_, [&](std::size_t& node) { pass.index(node, count - 1); }, count);
     pass.flag(isGoingOn_);
     pass.flag(hasRested_);
     pass.number(lastSubstep_, 0);
@@ -51,8 +52,8 @@ void Grip::state(BulletPass& pass) {
 void SmallStepSheet::state(BulletPass& pass) {
     const std::size_t size = pass.count(end_.size(), count_);
     if (size != 0 && size != count_)
-        throw std::runtime_error("drench: a saved sheet has ended its last step with " + std::to_string(size) +
-                                 " of its " + std::to_string(count_) + " nodes");
+        throw std::runtime_error("drench: a saved sheet has ended its last step with " +
+                                 std::to_string(size) + " of its " + std::to_string(count_) + " nodes");
     if (pass.restores()) end_.resize(size);
     btVector3 unused(0, 0, 0);
     for (std::size_t n = 0; n < size; ++n) pass.vector(n < end_.size() ? end_[n] : unused);

@@ -102,7 +102,8 @@ void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
 
 /// Bullet also tells of solids that have once been near, for as long as it likes.
 bool areNear(const btSoftBody& body, const btCollisionObject& solid) {
-    const btBroadphaseProxy *const one = body.getBroadphaseHandle(), *const other = solid.getBroadphaseHandle();
+    const btBroadphaseProxy *const one = body.getBroadphaseHandle(), *const other =
+                                                                         solid.getBroadphaseHandle();
     return !one || !other ||
            TestAabbAgainstAabb2(one->m_aabbMin, one->m_aabbMax, other->m_aabbMin, other->m_aabbMax);
 }

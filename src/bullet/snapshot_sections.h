@@ -18,7 +18,8 @@ inline void writeSection(StateWriter& to, std::string_view name, const StateWrit
 
 inline StateReader readSection(StateReader& from, std::string_view name) {
     if (from.readBytes(name.size()) != name)
-        throw std::runtime_error("drench: the snapshot has no section " + std::string(name) + " where it belongs");
+        throw std::runtime_error("drench: the snapshot has no section " + std::string(name) +
+                                 " where it belongs");
     return StateReader(from.readBytes(from.readCount(1)));
 }
 

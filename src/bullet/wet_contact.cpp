@@ -50,7 +50,8 @@ void WetBody::supply(const SheetPose& sheet, double dt, Supply& supply) {
 
 void WetBody::load(StateReader& reader) {
     const auto left = reader.read<double>();
-    if (!(left >= 0)) throw std::runtime_error("drench: a wet body cannot have " + std::to_string(left) + " kg left");
+    if (!(left >= 0))
+        throw std::runtime_error("drench: a wet body cannot have " + std::to_string(left) + " kg left");
     amount = left;
 }
 

@@ -16,9 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // As PNG begins: no text, and spoilt by whatever takes it for one.
-constexpr std::string_view magic = "\x89"
-                                   "DRN"
-                                   "CH\r\n";
+constexpr std::string_view magic =
+    "\x89"
+    "DRN"
+    "CH\r\n";
 constexpr std::size_t checksumSize = sizeof(std::uint64_t);
 // The size stands where it can be compared with what there is before anything else is believed.
 constexpr std::size_t sizeAt = 16, smallest = sizeAt + 8 + checksumSize;
@@ -30,7 +31,8 @@ constexpr std::size_t sizeAt = 16, smallest = sizeAt + 8 + checksumSize;
 void checkKind(std::string_view bytes) {
     if (bytes.empty()) refuse("it is empty");
     if (bytes.substr(0, magic.size()) != magic.substr(0, bytes.size()))
-        refuse("it does not begin as one; it is some other file, or went through a program that changes text");
+        refuse(
+            "it does not begin as one; it is some other file, or went through a program that changes text");
     if (bytes.size() < smallest) refuse("it ends within its first bytes; it was cut off");
 }
 

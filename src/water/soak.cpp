@@ -88,7 +88,8 @@ void Soak::save(StateWriter& writer) const {
 void Soak::load(StateReader& reader) {
     const auto given = reader.read<double>();
     if (!(given >= 0 && given <= 1))
-        throw std::runtime_error("drench: a Soak cannot have given " + std::to_string(given) + " of its water");
+        throw std::runtime_error("drench: a Soak cannot have given " + std::to_string(given) +
+                                 " of its water");
     given_ = given;
 }
 

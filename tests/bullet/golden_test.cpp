@@ -54,8 +54,8 @@ std::string buildKey() {
     key << "another compiler";
 #endif
     key << (sizeof(btScalar) == 4 ? ", single, " : ", double, ") << DRENCH_BUILD_FLAGS << ", "
-        << SmallStepSolver().kernels() << ", Bullet " << btGetVersion() << ", Eigen " << EIGEN_WORLD_VERSION << '.'
-        << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION;
+        << SmallStepSolver().kernels() << ", Bullet " << btGetVersion() << ", Eigen " << EIGEN_WORLD_VERSION
+        << '.' << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION;
 #if defined(__GLIBC__)
     key << ", glibc " << gnu_get_libc_version();
 #endif
@@ -89,11 +89,13 @@ TEST(Golden, StatesAreWhatTheyHaveBeen) {
         if (found == known.end())
             toAdd += golden.name + (" " + hash) + " " + key + "\n";
         else
-            EXPECT_EQ(hash, found->second) << golden.name << "; if the change is meant, see tests/golden/README.md";
+            EXPECT_EQ(hash, found->second)
+                << golden.name << "; if the change is meant, see tests/golden/README.md";
     }
     if (!toAdd.empty())
-        GTEST_SKIP() << "This build is not known yet. Where its results are trusted, add to tests/golden/states.txt:\n"
-                     << toAdd;
+        GTEST_SKIP()
+            << "This build is not known yet. Where its results are trusted, add to tests/golden/states.txt:\n"
+            << toAdd;
 }
 
 TEST(Golden, AnyNumberOfThreadsComesToTheSame) {

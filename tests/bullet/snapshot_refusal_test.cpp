@@ -22,8 +22,8 @@ std::unique_ptr<WetScene> smallScene(const Fabric& fabric = fabrics::cottonPlain
                                      Mover mover = Mover::smallSteps) {
     auto scene = std::make_unique<WetScene>(mover);
     scene->world().addBall({0, btScalar(-0.05), 0}, 0.05, 0);
-    WetCloth& cloth =
-        scene->cover(scene->add(test::levelSheet(scene->world().worldInfo(), fabric, 0.1, nodes, 0.01)), fabric);
+    WetCloth& cloth = scene->cover(
+        scene->add(test::levelSheet(scene->world().worldInfo(), fabric, 0.1, nodes, 0.01)), fabric);
     cloth.add(Rain(100));
     cloth.presoak(0.2);
     return scene;
@@ -64,7 +64,9 @@ struct SnapshotRefusal : testing::Test {
         scene->step(30);
         before = scene->cloth().snapshot().bytes();
     }
-    ~SnapshotRefusal() override { EXPECT_TRUE(scene->cloth().snapshot().bytes() == before) << "sheet touched"; }
+    ~SnapshotRefusal() override {
+        EXPECT_TRUE(scene->cloth().snapshot().bytes() == before) << "sheet touched";
+    }
 
     std::unique_ptr<WetScene> scene = smallScene();
     std::string before;
@@ -110,7 +112,8 @@ TEST_F(SnapshotRefusal, ForeignSheets) {
     const auto refusedFrom = [&](const WetScene& foreign) {
         return reasonOf([&] { scene->cloth().restore(foreign.save()[0]); });
     };
-    EXPECT_PRED2(contains, refusedFrom(*smallScene(fabrics::cottonPlain(), 6)), "36 nodes, and this one has 25");
+    EXPECT_PRED2(contains, refusedFrom(*smallScene(fabrics::cottonPlain(), 6)),
+                 "36 nodes, and this one has 25");
     EXPECT_PRED2(contains, refusedFrom(*smallScene(fabrics::wool())), "arealDensity of its fabric");
     EXPECT_PRED2(contains, refusedFrom(*smallScene(fabrics::cottonPlain(), 5, Mover::explicitSteps)),
                  "in a deformable world");
@@ -118,15 +121,18 @@ TEST_F(SnapshotRefusal, ForeignSheets) {
     auto turned = std::make_unique<WetScene>(Mover::smallSteps);
     auto longer = std::make_unique<WetScene>(Mover::smallSteps);
     const Fabric cotton = fabrics::cottonPlain();
-    turned->cover(turned->add(makeSheet(turned->world().worldInfo(), cotton,
-                                        flatCorners({0, 0, 0}, {0, 0, btScalar(0.1)}, {btScalar(0.1), 0, 0}), 3, 11)),
-                  cotton);
+    turned->cover(
+        turned->add(makeSheet(turned->world().worldInfo(), cotton,
+                              flatCorners({0, 0, 0}, {0, 0, btScalar(0.1)}, {btScalar(0.1), 0, 0}), 3, 11)),
+        cotton);
     longer->cover(longer->add(test::levelSheet(longer->world().worldInfo(), cotton, 0.11, 5, 0.01)), cotton);
     EXPECT_PRED2(contains, refusedFrom(*turned), "nodes");
     EXPECT_PRED2(contains, refusedFrom(*longer), "the end of link 0 is at");
 
-    const std::string other = before.substr(0, 12) + (sizeof(btScalar) == 4 ? '\x8' : '\x4') + before.substr(13);
-    EXPECT_SAYS(scene->cloth().restore(Snapshot(sealed(other))), "-precision Bullet, and this library is for");
+    const std::string other =
+        before.substr(0, 12) + (sizeof(btScalar) == 4 ? '\x8' : '\x4') + before.substr(13);
+    EXPECT_SAYS(scene->cloth().restore(Snapshot(sealed(other))),
+                "-precision Bullet, and this library is for");
 }
 
 TEST_F(SnapshotRefusal, OtherSourcesAndSolids) {

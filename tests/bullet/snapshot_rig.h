@@ -121,9 +121,9 @@ inline std::unique_ptr<WetScene> twoSheets(Mover mover) {
     for (const int margins : {1, 3}) {
         auto sheet = levelSheet(scene->world().worldInfo(), fabric, 0.3, 9, 5e-4 * margins);
         sheet->translate({0, btScalar(margins) * sheet->getCollisionShape()->getMargin(), 0});
-        sheet->m_cfg.collisions |=
-            mover == Mover::explicitSteps || mover == Mover::implicitSteps ? btSoftBody::fCollision::VF_DD
-                                                                            : btSoftBody::fCollision::VF_SS;
+        sheet->m_cfg.collisions |= mover == Mover::explicitSteps || mover == Mover::implicitSteps
+                                       ? btSoftBody::fCollision::VF_DD
+                                       : btSoftBody::fCollision::VF_SS;
         scene->cover(scene->add(std::move(sheet)), fabric).presoak(0.1);
     }
     scene->cloth(1).add(Touch(scene->cloth(0)));

@@ -37,7 +37,8 @@ std::string difference(const std::string& one, const std::string& other) {
         right.readBytes(4);
         const std::string here = left.readText(), there = right.readText();
         if (here == there) continue;
-        const auto at = std::mismatch(here.begin(), here.begin() + std::min(here.size(), there.size()), there.begin());
+        const auto at =
+            std::mismatch(here.begin(), here.begin() + std::min(here.size(), there.size()), there.begin());
         return "they differ in " + name + " at byte " + std::to_string(at.first - here.begin()) + " of " +
                std::to_string(here.size()) + " and " + std::to_string(there.size());
     }
@@ -69,8 +70,8 @@ TEST_P(SnapshotOf, AFreshWorldGoesOnAsTheOldOne) {
         fresh->step(steps);
         const auto here = bytesOf(*scene), there = bytesOf(*fresh);
         for (std::size_t i = 0; i < here.size(); ++i)
-            ASSERT_TRUE(here[i] == there[i]) << "sheet " << i << " after " << steps << " more steps; "
-                                             << difference(here[i], there[i]);
+            ASSERT_TRUE(here[i] == there[i])
+                << "sheet " << i << " after " << steps << " more steps; " << difference(here[i], there[i]);
     }
 }
 
@@ -121,7 +122,8 @@ void expectSameFuture(WetScene& one, WetScene& other, int steps) {
         if (step % 20 != 0 && step > 3) continue;
         const auto here = bytesOf(one), there = bytesOf(other);
         for (std::size_t i = 0; i < here.size(); ++i)
-            ASSERT_TRUE(here[i] == there[i]) << "after " << step << " steps " << difference(here[i], there[i]);
+            ASSERT_TRUE(here[i] == there[i])
+                << "after " << step << " steps " << difference(here[i], there[i]);
     }
 }
 
@@ -195,6 +197,47 @@ TEST(SnapshotRun, WaterThatTheApplicationAddsBetweenStepsIsNotLost) {
     expectSameFuture(*scene, *fresh, 40);
 }
 
+/// Two sheets above each other, of which the upper one drips on the lower.
+struct Dripping {
+    Dripping() : scene(Mover::smallSteps), drops(scene.world().world()) {
+        const Fabric fabric = fabrics::cottonPlain();
+        for (const double height : {0.0, -0.4}) {
+            auto sheet = test::levelSheet(scene.world().worldInfo(), fabric, 0.3, 7, height);
+            for (int n = 0; n < 7; ++n) sheet->m_nodes[n].m_im = 0;
+            WetCloth& cloth = scene.cover(scene.add(std::move(sheet)), fabric);
+            if (height == 0.0) cloth.soak(1);
+            drops.add(cloth);
+        }
+        scene.everyStep = [this](WetScene&) { drops.step(1.0 / 60); };
+    }
+    std::string dropsState() const {
+        StateWriter writer;
+        drops.save(writer);
+        return writer.bytes();
+    }
+    WetScene scene;
+    FallingDrops drops;
+};
+
+TEST(SnapshotRun, DropsInTheAirGoOnFalling) {
+    Dripping one, other;
+    one.scene.step(60);
+    ASSERT_GT(one.drops.inFlight().size(), 5u);
+    other.scene.restore(one.scene.save());
+    const std::string state = one.dropsState();
+    StateReader reader(state);
+    other.drops.load(reader);
+    EXPECT_EQ(reader.left(), 0u);
+    expectSameFuture(one.scene, other.scene, 60);
+    EXPECT_TRUE(one.dropsState() == other.dropsState());
+    EXPECT_GT(one.drops.massOnSheets(), 0);
+    for (std::size_t size = 0; size < state.size(); size += 5) {
+        StateReader cut(std::string_view(state).substr(0, size));
+        ASSERT_THROW(other.drops.load(cut), std::runtime_error);
+    }
+    EXPECT_TRUE(one.dropsState() == other.dropsState());
+}
+
 /// What an application keeps of a rigid body of its own.
 struct RigidState {
     explicit RigidState(const btRigidBody& body)
@@ -217,7 +260,8 @@ struct RigidState {
 
 /// A ball that falls into a hammock, and off it again.
 struct Hammock {
-    explicit Hammock(Mover mover) : scene(mover), ball(scene.world().addBall({0, btScalar(0.08), 0}, 0.05, 0.2)) {
+    explicit Hammock(Mover mover)
+        : scene(mover), ball(scene.world().addBall({0, btScalar(0.08), 0}, 0.05, 0.2)) {
         ball.setActivationState(DISABLE_DEACTIVATION);
         const Fabric fabric = fabrics::cottonPlain();
         auto sheet = test::levelSheet(scene.world().worldInfo(), fabric, 0.4, 11, 0);
