@@ -12,6 +12,9 @@ if(NOT TARGET drench::bullet)
 endif()
 set_target_properties(drench::bullet PROPERTIES IMPORTED_GLOBAL TRUE)
 
+# The checksum of snapshots; only its header.
+find_path(DRENCH_XXHASH_INCLUDE xxhash.h REQUIRED)
+
 # Reads pictures: masks for soaking.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(DRENCH_STB REQUIRED IMPORTED_TARGET GLOBAL stb)

@@ -11,6 +11,7 @@
 #include "drench/drop.h"
 #include "drench/export.h"
 #include "drench/precision.h"
+#include "drench/state.h"
 #include "drench/wet_cloth.h"
 
 namespace drench {
@@ -62,6 +63,14 @@ class DRENCH_API FallingDrops {
     double massElsewhere() const { return massElsewhere_; }
     /// What was lost, kg.
     double massLost() const { return massLost_; }
+
+    /// Writes down the drops in the air and what has become of the others; `landed` starts anew. They go with snapshots
+    /// of the sheets, of the same moment.
+    void save(StateWriter& writer) const;
+    /// Takes that up, where the same sheets were added in the same order.
+    /// @throws std::runtime_error for what `save` cannot have written, or drops of a sheet that is not here; all is
+    ///     then as before
+    void load(StateReader& reader);
 
   private:
     struct DRENCH_LOCAL Sheets;

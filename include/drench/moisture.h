@@ -15,6 +15,8 @@
 
 namespace drench {
 
+class StatePass;
+
 /// What the water of a sheet meets during a step.
 struct Surroundings {
     std::vector<float>
@@ -128,7 +130,11 @@ class DRENCH_API Moisture {
     std::size_t bytesPerNode() const;
 
   private:
+    friend class StatePass;
     struct DRENCH_LOCAL Parts;
+    void state(StatePass& pass);
+    void accountsState(StatePass& pass);
+    void coveredState(StatePass& pass);
 
     void checkWater(std::size_t node, double mass, std::size_t account) const;
     void absorb(double dt);

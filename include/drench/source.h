@@ -8,6 +8,7 @@
 
 #include "drench/cloth_mesh.h"
 #include "drench/export.h"
+#include "drench/state.h"
 
 namespace drench {
 
@@ -85,6 +86,13 @@ class DRENCH_API Source {
     /// What it throws refuses the source, or later comes out of the step. It may add sources to its WetCloth
     /// and remove any, itself too.
     virtual void supply(const SheetPose& sheet, double dt, Supply& supply) = 0;
+
+    /// Writes down what `supply` has left in the source that later calls depend on, for `WetCloth::snapshot`; not its
+    /// settings. Default nothing.
+    virtual void save(StateWriter&) const {}
+    /// Takes up what `save` of such a source has written. A source that throws here, since the bytes make no sense,
+    /// must be as before; the sheet is then not restored. Default nothing.
+    virtual void load(StateReader&) {}
 };
 
 }  // namespace drench

@@ -29,6 +29,8 @@ class DRENCH_API Rain final : public Source {
     explicit Rain(double initialIntensity, std::uint32_t seed = 1);
     std::string name() const override { return "rain"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
+    void save(StateWriter& writer) const override;
+    void load(StateReader& reader) override;
 
   private:
     void sumAreas(const std::vector<double>& areas);
@@ -55,6 +57,8 @@ class DRENCH_API Spray final : public Source {
     Spray(const Eigen::Vector3d& initialOrigin, const Eigen::Vector3d& initialDirection, double initialRate);
     std::string name() const override { return "spray"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
+    void save(StateWriter& writer) const override;
+    void load(StateReader& reader) override;
 
   private:
     void shareOut(const SheetPose& sheet);
@@ -138,6 +142,8 @@ class DRENCH_API Soak final : public Source {
 
     std::string name() const override { return "soak"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
+    void save(StateWriter& writer) const override;
+    void load(StateReader& reader) override;
     /// Whether all of it is on the sheet.
     bool finished() const { return given_ >= 1; }
 

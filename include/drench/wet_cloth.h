@@ -20,6 +20,7 @@
 #include "drench/ledger.h"
 #include "drench/moisture.h"
 #include "drench/precision.h"
+#include "drench/snapshot.h"
 #include "drench/source.h"
 #include "drench/step_times.h"
 #include "drench/surface.h"
@@ -237,6 +238,24 @@ class DRENCH_API WetCloth {
     /// wet or dry, in any pose and without pins, which is the longest that is allowed; it stays the same
     /// while the sheet dries. In its implicit ones, as of the last substep, infinite.
     double stepBound() const;
+
+    /// All that the next steps depend on, of the body, its water and what it touches, at this moment. Not in it is what
+    /// the application sets: fabric, air and wind, water speed, surfaces, the settings of sources, of the body (m_cfg,
+    /// anchors, margin) and of the world; nor rigid bodies, nor drops that a FallingDrops has
+    /// taken, which it can save itself. See
+    /// docs/snapshots.md.
+    /// @throws std::logic_error within a step, or while the body is not in its world; std::runtime_error for a sheet
+    ///     that is not finite
+    Snapshot snapshot() const;
+    /// Goes back, or on, to such a moment. Where all settings are as they were, and solids where they were, the steps
+    /// that follow are to the last bit those that followed then: also in another world or process where the body was
+    /// built and its WetCloth made in the same way, with the same sources in the same order, by a library and Bullet
+    /// of the same build. Pins come back as they were. What the sheet has touched is known by its place in the world's
+    /// list of collision objects, so that has to be in the same order.
+    /// @throws std::logic_error as above; std::runtime_error that says why the snapshot does not fit: another
+    ///     precision, topology, size or fabric, kind of world, other sources, an object that is not there, or values
+    ///     that no sheet has; and what a source of your own throws. All is then as before.
+    void restore(const Snapshot& snapshot);
 
     /// Looks over all nodes, links and contacts. Once the body has ended, all is 0
     /// and `finite` is false.

@@ -28,6 +28,8 @@ class DRENCH_API WetBody final : public Source {
     explicit WetBody(const btCollisionObject& body) : body_(&body) {}
     std::string name() const override { return "wet body"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
+    void save(StateWriter& writer) const override { writer.write(amount); }
+    void load(StateReader& reader) override;
 
   private:
     const btCollisionObject* body_;

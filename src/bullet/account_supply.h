@@ -15,6 +15,8 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
+class BulletPass;
+
 /// Books in one account of the sheet's moisture, notes the momentum that arrives, and wakes the body.
 class AccountSupply final : public Supply {
   public:
@@ -44,6 +46,9 @@ class AccountSupply final : public Supply {
     void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) override;
 
   private:
+    friend class BulletPass;
+    void state(BulletPass& pass);
+
     void count(double mass);
     void wake();
 

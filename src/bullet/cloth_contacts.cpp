@@ -149,7 +149,11 @@ void ClothContacts::findFaces(btSoftBody::Node& node) {
     for (const Partner& partner : partners_) {
         Search search(*this, partner, node);
         const btDbvt& tree = partner.body->m_fdbvt;
+        const auto first = static_cast<std::ptrdiff_t>(near_.size());
         tree.collideTVNoStackAlloc(tree.m_root, search.volume(), stack_, search);
+        // Not in the order of the tree, which depends on what has been where before.
+        std::sort(near_.begin() + first, near_.end(),
+                  [](const Near& a, const Near& b) { return a.face < b.face; });
     }
     if (near_.size() > 1) keepFacing(node);
 }

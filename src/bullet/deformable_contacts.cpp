@@ -35,6 +35,8 @@ void DeformableContacts::rewrite(const btCollisionWorld& world, btSoftBody& body
     met_.begin(world, body, grip);
     bonds_.assign(grip.bondedTo.size(), nullptr);
     const Substep now = {body, grip, substep, body.getCollisionShape()->getMargin(), implicit};
+    order_.sort(body.m_nodeRigidContacts, [](const auto& contact) { return contact.m_node; });
+    order_.sort(body.m_faceRigidContacts, [](const auto& contact) { return contact.m_face; });
     for (int i = 0; i < body.m_nodeRigidContacts.size(); ++i) rewrite(body.m_nodeRigidContacts[i], now);
     for (int i = 0; i < body.m_faceRigidContacts.size(); ++i) rewrite(body.m_faceRigidContacts[i], now);
     for (std::size_t n = 0; n < bonds_.size(); ++n)

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "contact_order.h"
 #include "drench/precision.h"
 #include "grip.h"
 #include "met_solids.h"
@@ -37,6 +38,7 @@ class DeformableContacts {
     void rewrite(btSoftBody::DeformableFaceRigidContact& contact, const Substep& now);
     void hold(std::size_t n, const btCollisionObject* solid, const Substep& now);
 
+    ContactOrder order_;
     MetSolids met_;
     std::vector<const btCollisionObject*> bonds_;  // of each node, as they come to be
 };

@@ -129,6 +129,69 @@ void FallingDrops::step(double dt) {
     origins_->all.resize(kept);
 }
 
+void FallingDrops::save(StateWriter& writer) const {
+    const auto& sheets = sheets_->all;
+    const auto placeOf = [&](const void* sheet) {
+        const auto found = std::find_if(sheets.begin(), sheets.end(),
+                                        [&](const auto& each) { return each.lock().get() == sheet; });
+        return found == sheets.end() ? std::int32_t{-1} : static_cast<std::int32_t>(found - sheets.begin());
+    };
+    for (const double mass : {massOnSheets_, massElsewhere_, massLost_}) writer.write(mass);
+    writer.write(static_cast<std::uint64_t>(flights_.size()));
+    for (std::size_t i = 0; i < flights_.size(); ++i) {
+        const Flight& flight = flights_[i];
+        const Origins::Origin& origin = origins_->all[i];
+        for (const Eigen::Vector3d& vector : {flight.position, flight.velocity, origin.position})
+            for (const double component : vector) writer.write(component);
+        for (const double number : {flight.mass, flight.age, origin.momentumShare}) writer.write(number);
+        writer.write(flight.count);
+        writer.write(placeOf(origin.sheet));
+    }
+}
+
+void FallingDrops::load(StateReader& reader) {
+    const auto number = [&](double least, double most) {
+        const auto read = reader.read<double>();
+        if (!(read >= least && read <= most))
+            throw std::runtime_error("drench: saved drops have " + std::to_string(read) + " where only " +
+                                     std::to_string(least) + " to " + std::to_string(most) + " makes sense");
+        return read;
+    };
+    constexpr double most = 1e15;
+    const auto vector = [&] {
+        Eigen::Vector3d read;
+        for (double& component : read) component = number(-most, most);
+        return read;
+    };
+    double masses[3];
+    for (double& mass : masses) mass = number(0, most);
+    constexpr std::uint64_t bytesOfEach = 13 * 8 + 4;
+    std::vector<Flight> flights(static_cast<std::size_t>(reader.readCount(bytesOfEach)));
+    Origins origins;
+    for (Flight& flight : flights) {
+        Origins::Origin& origin = origins.all.emplace_back();
+        flight.position = vector();
+        flight.velocity = vector();
+        origin.position = vector();
+        flight.mass = number(0, most);
+        flight.age = number(0, longestFall);
+        origin.momentumShare = number(0, 1);
+        flight.count = reader.read<std::int64_t>();
+        const auto place = reader.read<std::int32_t>();
+        if (flight.count < 0 || place < -1 || place >= static_cast<std::int32_t>(sheets_->all.size()))
+            throw std::runtime_error("drench: saved drops fell from sheet " + std::to_string(place) + " of " +
+                                     std::to_string(sheets_->all.size()) +
+                                     "; add the same sheets in the same order");
+        origin.sheet = place < 0 ? nullptr : sheets_->all[static_cast<std::size_t>(place)].lock().get();
+    }
+    flights_ = std::move(flights);
+    *origins_ = std::move(origins);
+    landed_.clear();
+    massOnSheets_ = masses[0];
+    massElsewhere_ = masses[1];
+    massLost_ = masses[2];
+}
+
 /// Lands a flight if it meets something on its way. @return whether it does
 bool FallingDrops::land(std::size_t i, const Eigen::Vector3d& to) {
     const Flight& flight = flights_[i];

@@ -17,6 +17,8 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
+class BulletPass;
+
 /// The air and the water around one sheet.
 ///
 /// Per face F = -1/2 rho A (C_n |u_n| u_n n + C_t |u_t| u_t), u the velocity of the face against the fluid,
@@ -64,6 +66,9 @@ class FluidForces {
     double floatingShare() const { return floatingShare_; }
 
   private:
+    friend class BulletPass;
+    void state(BulletPass& pass);
+
     void evaluate(const btSoftBody& body, const Around& around);
     void begin(const btSoftBody& body, const Around& around);
     void gather(const Around& around);

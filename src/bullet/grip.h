@@ -21,6 +21,8 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// whatever presses, and 0 for what is negative or no number.
 double usableFriction(double coefficient);
 
+class BulletPass;
+
 /// Cling is cohesion: where wet cloth has touched a surface it stays bonded to it. A bond pulls its node back
 /// with a force of up to energy / reach x area, as far as `reach`, where it breaks. So to peel takes the
 /// energy, whatever the reach is. The reach is the distance of neighbouring nodes: rows of nodes then come off one
@@ -74,6 +76,9 @@ class Grip {
     std::vector<const btCollisionObject*> bondedToCloth;  // another soft body
 
   private:
+    friend class BulletPass;
+    void state(BulletPass& pass);
+
     const Surface& ofKind(SurfaceKind kind) const { return kinds_[static_cast<std::size_t>(kind)]; }
 
     std::array<Surface, 3> kinds_;  // in the order of SurfaceKind

@@ -17,6 +17,7 @@
 #include "deformable_sheet.h"
 #include "drench/drop.h"
 #include "drench/moisture.h"
+#include "drench/snapshot.h"
 #include "drench/source.h"
 #include "drench/wet_cloth.h"
 #include "drench/wet_laws.h"
@@ -36,6 +37,8 @@
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
+
+class BulletPass;
 
 /// One sheet in one world, in the order of the step.
 struct WetCloth::Layer final : PreTickListener, PostTickListener {
@@ -96,6 +99,29 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     void writeBack(double bodyStep);
     void pushByFluid(double bodyStep);
 
+    // What it keeps from step to step; see layer_state.cpp.
+    Snapshot snapshot();
+    void restore(const Snapshot& snapshot);
+    void checkBetweenSteps() const;
+    void checkSameSheet(const Snapshot& snapshot) const;
+    std::uint64_t topologyHash() const;
+    /// Calls `each(name, function)` for each section of a snapshot but the last, that of the sources.
+    template <typename Each>
+    void forEachSection(Each each);
+    void checkSections(const Snapshot& snapshot);
+    void restoreSections(const Snapshot& snapshot);
+    void clothState(BulletPass& pass);
+    void bodyState(BulletPass& pass);
+    void waterState(BulletPass& pass);
+    void mechanicsState(BulletPass& pass);
+    void touchState(BulletPass& pass);
+    void airState(BulletPass& pass);
+    void momentState(BulletPass& pass);
+    void saveSources(StateWriter& writer) const;
+    void checkSources(StateReader reader) const;
+    void loadSources(StateReader reader);
+    void restoreUnnoticed(StateReader reader);
+
     btDiscreteDynamicsWorld& world;  // known to exist during its own pre-tick only
     btSoftBody& body;                // exists while the watch says so
     const Stepping stepping;
@@ -132,6 +158,7 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     std::deque<NamedAccount> accounts;  // stay where they are
     Pose pose;
     Surroundings surroundings;
+    static constexpr std::size_t mostDropsKept = 100000;
     std::deque<Drop> drops;  // that nobody has taken yet
     double time = 0;         // of the body, since the layer was made, s
 

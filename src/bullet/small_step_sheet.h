@@ -33,6 +33,8 @@ struct Bounds {
     }
 };
 
+class BulletPass;
+
 class SmallStepSheet {
   public:
     SmallStepSheet(const SheetMechanics& mechanics, const SmallStepKernels& kernels);
@@ -80,6 +82,9 @@ class SmallStepSheet {
     double smallStep() const { return smallStep_; }
 
   private:
+    friend class BulletPass;
+    void state(BulletPass& pass);
+
     void packLinks(const SheetMechanics& mechanics);
     void packPlates(const SheetMechanics& mechanics);
     double arealDensity(const SheetMechanics& mechanics) const;

@@ -109,6 +109,14 @@ void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
                        body.m_worldInfo->m_dispatcher);
 }
 
+/// Bullet also tells of solids that have once been near, for as long as it likes.
+bool areNear(const btSoftBody& body, const btCollisionObject& solid) {
+    const btBroadphaseProxy *const one = body.getBroadphaseHandle(), *const other =
+                                                                         solid.getBroadphaseHandle();
+    return !one || !other ||
+           TestAabbAgainstAabb2(one->m_aabbMin, one->m_aabbMax, other->m_aabbMin, other->m_aabbMax);
+}
+
 /// Readies the trees and the node states in which Bullet looks for contacts of soft bodies, so that it finds
 /// those that may come within the substep, and bonds as far as they reach: around each node it looks twice as far as
 /// from m_x to m_q.
@@ -217,6 +225,7 @@ void SmallStepSolver::processCollision(btSoftBody* body, const btCollisionObject
     if (!mechanics) return btDefaultSoftBodySolver::processCollision(body, solid);
     using Collision = btSoftBody::fCollision;
     if ((body->m_cfg.collisions & Collision::RVSmask) != Collision::SDF_RS || !body->isActive()) return;
+    if (!areNear(*body, *solid->getCollisionObject())) return;
     MovingSheet& sheet = *mechanics->moving;
     StopWatch watch;
     sheet.contacts.find(*body, sheet.cloth, mechanics->grip, *solid, double(body->m_sst.sdt), state_->solids);

@@ -98,6 +98,11 @@ void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int s
     isFirstStep_ = true;
     contacts_.clear();
     guests_.clear();
+    // Pairs of bodies come in the order in which they have met, which restored sheets would not know.
+    std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+        const int one = a.owner->getWorldArrayIndex(), two = b.owner->getWorldArrayIndex();
+        return one != two ? one < two : a.other->getWorldArrayIndex() < b.other->getWorldArrayIndex();
+    });
     for (const Found& found : found_) contacts_.push_back(placed(found, sheets));
     for (const Sheet& sheet : sheets) bond(sheet, sheets);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "rest_shape.h"
 #include "solid_distance.h"
@@ -189,6 +190,27 @@ void SolidContacts::choose(const btVector3& start, const Place& nearest, btScala
     contact.isBonded = contact.isBonded && contact.bond > 0;
 }
 
+void SolidContacts::order(const Solids& solids) {
+    const auto placeOf = [&](std::size_t contact) {
+        return solids[places_[contact].solid].object().getWorldArrayIndex();
+    };
+    order_.resize(contacts_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    const auto isBefore = [&](std::size_t a, std::size_t b) {
+        return placeOf(a) != placeOf(b) ? placeOf(a) < placeOf(b) : a < b;
+    };
+    if (std::is_sorted(order_.begin(), order_.end(), isBefore)) return;
+    std::sort(order_.begin(), order_.end(), isBefore);
+    unorderedContacts_.swap(contacts_);
+    unorderedPlaces_.swap(places_);
+    contacts_.clear();
+    places_.clear();
+    for (const std::size_t at : order_) {
+        contacts_.push_back(unorderedContacts_[at]);
+        places_.push_back(unorderedPlaces_[at]);
+    }
+}
+
 void SolidContacts::removeLeftOut() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -202,6 +224,7 @@ void SolidContacts::removeLeftOut() {
 }
 
 void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids) {
+    order(solids);
     choose(body, solids);
     const btScalar margin = body.getCollisionShape()->getMargin();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {

@@ -69,6 +69,9 @@ class SolidContacts {
     /// plane that faces the node from there is none of its surface. So of what a node might touch the nearest
     /// counts, and of the rest only what rises above the nearest's plane; triangles then by their own plane.
     void choose(const btSoftBody& body, const Solids& solids);
+    /// Puts contacts in the order of the solids in the world: Bullet tells of those in the order in which they have
+    /// met, which restored sheets would not know.
+    void order(const Solids& solids);
     void choose(const btVector3& start, const Place& nearest, btScalar flat, std::size_t other,
                 const Solids& solids);
     void removeLeftOut();
@@ -84,6 +87,9 @@ class SolidContacts {
     // way, of six ways at most. The contacts with the mesh that was met last, of each node; -1 for none.
     std::vector<std::array<int, 6>> meshContacts_;
     const btCollisionObject* mesh_ = nullptr;
+    std::vector<std::size_t> order_;
+    std::vector<Contact> unorderedContacts_;
+    std::vector<Place> unorderedPlaces_;
     std::vector<int> lastOfNode_,
         before_;  // the last contact of each node, and that before each contact; -1 for none
 };

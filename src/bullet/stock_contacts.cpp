@@ -37,6 +37,7 @@ void StockContacts::rewrite(const btCollisionWorld& world, btSoftBody& body, Gri
     stuck_.swap(stuckBefore_);
     stuck_.assign(bonds_.size(), {});
     stuckBefore_.resize(bonds_.size());
+    order_.sort(body.m_rcontacts, [](const btSoftBody::RContact& contact) { return contact.m_node; });
     for (int i = 0; i < body.m_rcontacts.size(); ++i) rewrite(body.m_rcontacts[i], body, grip);
     findBonded(body, grip);
 

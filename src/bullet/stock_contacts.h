@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "contact_order.h"
 #include "drench/precision.h"
 #include "grip.h"
 #include "met_solids.h"
@@ -13,6 +14,8 @@
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
+
+class BulletPass;
 
 /// Rewrites the contacts that Bullet has found, before it solves them, so that each stops its node on the way
 /// to the solid and nothing else. Friction and the pull of bonds are done here, at once. As Bullet solves links
@@ -25,6 +28,9 @@ class StockContacts {
     void rewrite(const btCollisionWorld& world, btSoftBody& body, Grip& grip);
 
   private:
+    friend class BulletPass;
+    void state(BulletPass& pass);
+
     /// A node that a solid may hold.
     struct Held {
         int node;
@@ -48,6 +54,7 @@ class StockContacts {
     /// Puts a node that friction holds back along the surface to where it has held it before.
     void stick(btSoftBody& body, const Held& held);
 
+    ContactOrder order_;
     MetSolids met_;
     Solids solids_;
     std::vector<Held> held_;

@@ -13,6 +13,8 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
+class BulletPass;
+
 /// Written by the sources of a sheet, read by what pushes it in the same substep, then forgotten.
 class Submersion {
   public:
@@ -42,6 +44,9 @@ class Submersion {
     const MovingNode& velocity(std::size_t node) const { return velocities_[node]; }
 
   private:
+    friend class BulletPass;
+    void state(BulletPass& pass);
+
     std::vector<char> isUnder_;
     std::vector<float> depths_;
     std::vector<MovingNode> velocities_;

@@ -145,6 +145,14 @@ double WetCloth::stepBound() const {
     return bound;
 }
 
+Snapshot WetCloth::snapshot() const {
+    return layer_->snapshot();
+}
+
+void WetCloth::restore(const Snapshot& snapshot) {
+    layer_->restore(snapshot);
+}
+
 SheetHealth WetCloth::health() const {
     if (!layer_->watch.bodyIsAlive()) return {};
     const btSoftBody& body = layer_->body;

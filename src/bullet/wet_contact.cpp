@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "../water/checks.h"
 #include "contacts.h"
@@ -44,6 +46,13 @@ void WetBody::supply(const SheetPose& sheet, double dt, Supply& supply) {
         supply.addFilm(node, mass);
         amount -= mass;
     });
+}
+
+void WetBody::load(StateReader& reader) {
+    const auto left = reader.read<double>();
+    if (!(left >= 0))
+        throw std::runtime_error("drench: a wet body cannot have " + std::to_string(left) + " kg left");
+    amount = left;
 }
 
 Touch::Touch(WetCloth& other) : other_(other.layer_) {}

@@ -17,6 +17,8 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
+class BulletPass;
+
 /// Reads the air's field on a coarse lattice around the sheet and keeps the wind off what is behind solids.
 class WindAtNodes {
   public:
@@ -40,6 +42,9 @@ class WindAtNodes {
     const Eigen::Vector3d& mean() const { return mean_; }
 
   private:
+    friend class BulletPass;
+    void state(BulletPass& pass);
+
     static constexpr std::size_t mostPoints = 6;  // of the lattice along an axis
 
     /// Nodes that are next to each other, and what is upwind of them.

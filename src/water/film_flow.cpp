@@ -108,7 +108,8 @@ void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gra
 /// come. One such sweep would do at any length of step; a few are more exact.
 void FilmFlow::runInSweeps(double dt, const std::vector<float>& heights, double gravity, double* filmMass) {
     std::sort(downwards_.begin(), downwards_.end(), [&](int a, int b) {
-        return heights[static_cast<std::size_t>(a)] > heights[static_cast<std::size_t>(b)];
+        const float one = heights[static_cast<std::size_t>(a)], other = heights[static_cast<std::size_t>(b)];
+        return one != other ? one > other : a < b;  // whatever the order before
     });
     for (int sweep = 0; sweep < mostSteps; ++sweep)
         sweepDown(dt / mostSteps, heights.data(), gravity, filmMass);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -79,6 +80,25 @@ void Rain::supply(const SheetPose& sheet, double dt, Supply& supply) {
         if (!(chance * mostStretched * sheet.mesh.areas[node] < across)) continue;
         if (!sheltered(sheet, node, fall, shelterHeight)) supply.addFilm(node, massEach, velocity);
     }
+}
+
+// The standard shows the state of a generator as text only: whole numbers with spaces between them.
+void Rain::save(StateWriter& writer) const {
+    std::stringstream text;
+    text.imbue(std::locale::classic());
+    text << random_;
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t number = 0; text >> number;) numbers.push_back(number);
+    writer.write(numbers);
+}
+
+void Rain::load(StateReader& reader) {
+    std::stringstream text;
+    text.imbue(std::locale::classic());
+    for (const std::uint32_t number : reader.readMany<std::uint32_t>()) text << number << ' ';
+    std::mt19937 random;
+    if (!(text >> random)) throw std::runtime_error("drench: a Rain's random numbers have no such state");
+    random_ = random;
 }
 
 // Summed anew at every step, which costs less than one ray: the same rain may fall on several sheets.

@@ -81,6 +81,18 @@ void Soak::supply(const SheetPose& sheet, double dt, Supply& supply) {
     given_ = next;
 }
 
+void Soak::save(StateWriter& writer) const {
+    writer.write(given_);
+}
+
+void Soak::load(StateReader& reader) {
+    const auto given = reader.read<double>();
+    if (!(given >= 0 && given <= 1))
+        throw std::runtime_error("drench: a Soak cannot have given " + std::to_string(given) +
+                                 " of its water");
+    given_ = given;
+}
+
 void Soak::weigh(const SheetPose& sheet) {
     if (mask_.width > 0)
         weighPicture(sheet.mesh);

@@ -70,6 +70,18 @@ void Spray::supply(const SheetPose& sheet, double dt, Supply& supply) {
     }
 }
 
+void Spray::save(StateWriter& writer) const {
+    writer.write(static_cast<std::uint64_t>(nextRay_));
+    writer.write(sheltered_);
+}
+
+void Spray::load(StateReader& reader) {
+    const auto next = reader.read<std::uint64_t>();
+    std::vector<char> sheltered = reader.readMany<char>();
+    nextRay_ = static_cast<std::size_t>(next);  // beyond the last node it begins again
+    sheltered_ = std::move(sheltered);          // for another number of nodes it is asked for anew
+}
+
 void Spray::shareOut(const SheetPose& sheet) {
     const double cone = 2 * pi * (1 - std::cos(halfAngle));
     shares_.resize(sheet.mesh.size());

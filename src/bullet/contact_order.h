@@ -1,0 +1,59 @@
+// Contacts in an order that the same sheet has everywhere.
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <LinearMath/btAlignedObjectArray.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "drench/precision.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+/// Bullet finds contacts in the order of its trees and of its list of pairs, which depends on what has been where before,
+/// and on addresses in memory. As contacts are solved one after the other, the order is part of the result; here it
+/// is that of the nodes or faces, and for one of these that of the solids in the world.
+class ContactOrder {
+  public:
+    /// @param ownerOf  of a contact: the node or face that it is of, in the array of its body
+    template <typename Contact, typename OwnerOf>
+    void sort(btAlignedObjectArray<Contact>& contacts, OwnerOf ownerOf) {
+        keys_.clear();
+        for (int i = 0; i < contacts.size(); ++i)
+            keys_.emplace_back(ownerOf(contacts[i]), contacts[i].m_cti.m_colObj->getWorldArrayIndex(), i);
+        if (std::is_sorted(keys_.begin(), keys_.end())) return;
+        std::sort(keys_.begin(), keys_.end());
+        for (int i = 0; i < contacts.size(); ++i) place(contacts, i);
+    }
+
+  private:
+    using Key = std::tuple<const void*, int, int>;  // owner, solid, and where it is: so no two are alike
+
+    /// Contacts are large, so each is moved once: along the ring of places that begins at one.
+    template <typename Contact>
+    void place(btAlignedObjectArray<Contact>& contacts, int start) {
+        const auto sourceOf = [&](int at) -> int& {
+            return std::get<2>(keys_[static_cast<std::size_t>(at)]);
+        };
+        if (sourceOf(start) == start) return;
+        const Contact first = contacts[start];
+        int at = start;
+        while (sourceOf(at) != start) {
+            const int next = sourceOf(at);
+            contacts[at] = contacts[next];
+            sourceOf(at) = at;
+            at = next;
+        }
+        contacts[at] = first;
+        sourceOf(at) = at;
+    }
+
+    std::vector<Key> keys_;
+};
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

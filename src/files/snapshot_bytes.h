@@ -1,0 +1,18 @@
+// Puts the bytes of a snapshot together.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace drench {
+
+/// What tells foreign snapshots; see Snapshot.
+struct SnapshotHead {
+    int precision;
+    std::uint64_t nodes, links, faces, topology;
+};
+
+std::string snapshotBytes(const SnapshotHead& head, std::string_view state);
+
+}  // namespace drench

@@ -1,0 +1,112 @@
+// What classes keep from step to step, named once for saving, checking and restoring.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "drench/state.h"
+
+namespace drench {
+
+/// One pass over a state. A class that has one names its members, one after the other, in a function
+/// `state(StatePass&)`, a friend of this; the kind of pass says what becomes of them. A saved state is first checked
+/// as a whole, which changes nothing, and then restored, which nothing can stop any more.
+class StatePass {
+  public:
+    enum class Kind { save, check, restore };
+
+    explicit StatePass(StateWriter& writer) : kind_(Kind::save), writer_(&writer) {}
+    StatePass(StateReader& reader, Kind kind) : kind_(kind), reader_(&reader) {}
+
+    bool saves() const { return kind_ == Kind::save; }
+    bool restores() const { return kind_ == Kind::restore; }
+
+    template <typename Part>
+    void part(Part& part) {
+        part.state(*this);
+    }
+
+    /// What is being saved, or was.
+    /// @throws std::runtime_error for a saved value that is not within the limits
+    template <typename Number>
+    Number value(Number now, double least = -unlimited, double most = unlimited) {
+        if (saves()) {
+            writer_->write(now);
+            return now;
+        }
+        const Number read = reader_->read<Number>();
+        if (!(double(read) >= least && double(read) <= most)) refuse(double(read), least, most);
+        return read;
+    }
+    std::string value(const std::string& now) {
+        if (!saves()) return reader_->readText();
+        writer_->write(now);
+        return now;
+    }
+    /// The same for a member, which it restores.
+    template <typename Number>
+    void number(Number& member, double least = -unlimited, double most = unlimited) {
+        const Number passed = value(member, least, most);
+        if (restores()) member = passed;
+    }
+    void flag(bool& member) { number(member, 0, 1); }
+    void text(std::string& member) {
+        std::string passed = value(member);
+        if (restores()) member = std::move(passed);
+    }
+    /// An index or a size, in 8 bytes on every machine.
+    void index(std::size_t& member, std::size_t most) {
+        const auto passed = value(static_cast<std::uint64_t>(member), 0, double(most));
+        if (restores()) member = static_cast<std::size_t>(passed);
+    }
+    /// As many as there are now.
+    template <typename Number>
+    void numbers(std::vector<Number>& values, double least = -unlimited, double most = unlimited) {
+        for (Number& value : values) number(value, least, most);
+    }
+    /// How many things follow. @param now  how many there are  @param most  may be
+    std::size_t count(std::size_t now, std::size_t most = std::numeric_limits<std::size_t>::max()) {
+        if (saves()) {
+            writer_->write(static_cast<std::uint64_t>(now));
+            return now;
+        }
+        const std::uint64_t read = reader_->readCount(1);
+        if (read > most) refuse(double(read), 0, double(most));
+        return static_cast<std::size_t>(read);
+    }
+    /// As many as there were. @param each  names the members of an item
+    template <typename Item, typename Each>
+    void list(std::vector<Item>& items, Each each,
+              std::size_t most = std::numeric_limits<std::size_t>::max()) {
+        const std::size_t size = count(items.size(), most);
+        if (restores()) items.resize(size);
+        for (std::size_t i = 0; i < size; ++i) {
+            Item scratch{};
+            each(saves() || restores() ? items[i] : scratch);
+        }
+    }
+
+  protected:
+    StateReader& reader() { return *reader_; }
+
+    static constexpr double unlimited = std::numeric_limits<double>::max();
+
+  private:
+    [[noreturn]] static void refuse(double value, double least, double most) {
+        std::ostringstream message;
+        message << "drench: a saved value is " << value << " where only " << least << " to " << most
+                << " makes sense";
+        throw std::runtime_error(message.str());
+    }
+
+    Kind kind_;
+    StateWriter* writer_ = nullptr;
+    StateReader* reader_ = nullptr;
+};
+
+}  // namespace drench
