@@ -190,7 +190,9 @@ TEST(SnapshotSources, WithinAStepThereIsNoState) {
     };
     auto scene = smallScene();
     scene->cloth().add(Meddling(scene->cloth()));
-    EXPECT_THROW(scene->step(1), std::logic_error);
+    scene->step(1);
+    ASSERT_EQ(scene->cloth().troubles().size(), 1u);
+    EXPECT_NE(scene->cloth().troubles()[0].message.find("within a step"), std::string::npos);
 }
 
 TEST(SnapshotSources, ABodyInNoWorldHasNone) {
