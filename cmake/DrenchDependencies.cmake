@@ -29,3 +29,17 @@ endif()
 
 # Reads pictures: masks for soaking.
 pkg_check_modules(DRENCH_STB REQUIRED IMPORTED_TARGET stb)
+
+# Read and write the files of drench::files.
+if(DRENCH_BUILD_FILES OR DRENCH_BUILD_DEMOS OR DRENCH_BUILD_TESTS)
+  find_package(nlohmann_json REQUIRED)
+endif()
+if(DRENCH_BUILD_FILES)
+  pkg_check_modules(DRENCH_TINYGLTF REQUIRED IMPORTED_TARGET tinygltf)
+  # The library of doubles; its pkg-config file leaves out the definition that its header wants.
+  pkg_check_modules(DRENCH_TINYOBJLOADER REQUIRED IMPORTED_TARGET tinyobjloader_double)
+  target_compile_definitions(PkgConfig::DRENCH_TINYOBJLOADER INTERFACE TINYOBJLOADER_USE_DOUBLE)
+elseif(DRENCH_BUILD_DEMOS OR DRENCH_BUILD_TESTS)
+  message(FATAL_ERROR "Drench: drench-demo and the tests need drench::files; leave DRENCH_BUILD_FILES on, or turn "
+                      "DRENCH_BUILD_DEMOS and DRENCH_BUILD_TESTS off as well.")
+endif()

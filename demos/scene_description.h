@@ -46,7 +46,7 @@ struct SolverDescription {
 struct FabricDescription {
     std::string like = "cotton";  ///< a name of `fabrics::names()`
     std::string name;             ///< empty: that of the ready fabric
-    std::vector<std::pair<std::string, double>>
+    std::vector<std::pair<std::string, Quantity>>
         changes;  ///< parameters by their names in `fabricParameters()`
 
     /// @throws std::invalid_argument for a name that is not there or a value out of range

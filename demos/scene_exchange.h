@@ -2,14 +2,14 @@
 #pragma once
 
 #include "scene_description.h"
-#include "scene_fields.h"
+#include "files/json_fields.h"
 
 namespace drench::demo {
 
-/// Reads all of a scene. @throws std::invalid_argument as `FieldReader`
-void exchange(FieldReader& fields, SceneDescription& scene);
+/// Reads all of a scene. @throws std::invalid_argument as `files::FieldReader`
+void exchange(files::FieldReader& fields, SceneDescription& scene);
 
 /// Writes all of a scene.
-void exchange(FieldWriter& fields, SceneDescription& scene);
+void exchange(files::FieldWriter& fields, SceneDescription& scene);
 
 }  // namespace drench::demo

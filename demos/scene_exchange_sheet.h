@@ -2,14 +2,14 @@
 #pragma once
 
 #include "scene_description.h"
-#include "scene_fields.h"
+#include "files/json_fields.h"
 
 namespace drench::demo {
 
-/// Reads a sheet. @throws std::invalid_argument as `FieldReader`
-void exchangeSheet(FieldReader& fields, SheetDescription& sheet);
+/// Reads a sheet. @throws std::invalid_argument as `files::FieldReader`
+void exchangeSheet(files::FieldReader& fields, SheetDescription& sheet);
 
 /// Writes a sheet.
-void exchangeSheet(FieldWriter& fields, SheetDescription& sheet);
+void exchangeSheet(files::FieldWriter& fields, SheetDescription& sheet);
 
 }  // namespace drench::demo
