@@ -1,8 +1,8 @@
 // What the fields of a scene file are called, and their ranges; once for reading and writing.
 #pragma once
 
-#include "scene_description.h"
 #include "files/json_fields.h"
+#include "scene_description.h"
 
 namespace drench::demo {
 

@@ -1,8 +1,8 @@
 // What the fields of a sheet are called in a scene file.
 #pragma once
 
-#include "scene_description.h"
 #include "files/json_fields.h"
+#include "scene_description.h"
 
 namespace drench::demo {
 

@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "scene_exchange.h"
 #include "files/json_text.h"
 #include "files/whole_file.h"
+#include "scene_exchange.h"
 
 namespace drench::demo {
 

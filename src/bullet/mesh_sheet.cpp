@@ -83,8 +83,7 @@ void setMasses(btSoftBody& body, double arealDensity) {
     for (int f = 0; f < body.m_faces.size(); ++f) {
         const btSoftBody::Face& face = body.m_faces[f];
         const btVector3& origin = face.m_n[0]->m_x;
-        const double area =
-            double((face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin).length()) / 2;
+        const double area = double((face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin).length()) / 2;
         if (!(area > 0) || !std::isfinite(btScalar(1 / (arealDensity * area))))
             throw std::invalid_argument("drench: mesh: triangle " + std::to_string(f) + " has an area of " +
                                         std::to_string(area) +

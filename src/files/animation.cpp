@@ -14,7 +14,8 @@ namespace drench {
 
 namespace {
 
-constexpr std::size_t mostBytesEver = 2'000'000'000;  // of which the sizes in a .glb file, 32 bits, still have room
+constexpr std::size_t mostBytesEver =
+    2'000'000'000;  // of which the sizes in a .glb file, 32 bits, still have room
 
 template <typename... Parts>
 std::string message(const Parts&... parts) {
@@ -95,7 +96,8 @@ struct Animation::Recording {
 
     /// The time of a frame, from the first on.
     double checkedTime(double time) const {
-        if (!std::isfinite(time)) throw std::invalid_argument(message("a frame's time is ", time, "; give seconds"));
+        if (!std::isfinite(time))
+            throw std::invalid_argument(message("a frame's time is ", time, "; give seconds"));
         if (run.times.empty()) return 0;
         // The file has times in single precision.
         const double since = double(float(time - begin));
@@ -127,7 +129,8 @@ struct Animation::Recording {
 
 Animation::Animation(std::size_t mostBytes) : recording_(std::make_unique<Recording>()) {
     if (mostBytes == 0 || mostBytes > mostBytesEver)
-        throw std::invalid_argument(message("recording may take ", mostBytes, " bytes; give 1 to ", mostBytesEver));
+        throw std::invalid_argument(
+            message("recording may take ", mostBytes, " bytes; give 1 to ", mostBytesEver));
     recording_->mostBytes = mostBytes;
 }
 Animation::~Animation() = default;

@@ -32,7 +32,8 @@ void checkList(const ClothFrame& frame, const char* name, const std::vector<Valu
                "; give one of each for a node");
     for (std::size_t node = 0; node < values.size(); ++node)
         if (!isFinite(values[node]))
-            refuse(frame, name, " of node ", node, " are not finite; the run has gone wrong before this frame");
+            refuse(frame, name, " of node ", node,
+                   " are not finite; the run has gone wrong before this frame");
 }
 
 void checkName(const ClothFrame& frame) {
@@ -50,8 +51,9 @@ bool isMesh(const ClothFrame& frame) {
         return node >= 0 && static_cast<std::size_t>(node) < frame.positions.size();
     };
     return !frame.triangles.empty() &&
-           std::all_of(frame.triangles.begin(), frame.triangles.end(),
-                       [&](const auto& triangle) { return std::all_of(triangle.begin(), triangle.end(), isThere); });
+           std::all_of(frame.triangles.begin(), frame.triangles.end(), [&](const auto& triangle) {
+               return std::all_of(triangle.begin(), triangle.end(), isThere);
+           });
 }
 
 /// A node that no triangle with an area has looks up.
@@ -60,8 +62,8 @@ std::vector<Eigen::Vector3f> normalsOf(const ClothFrame& frame) {
     const auto at = [](int node) { return static_cast<std::size_t>(node); };
     for (const auto& triangle : frame.triangles) {
         const Eigen::Vector3f& origin = frame.positions[at(triangle[0])];
-        const Eigen::Vector3f across = (frame.positions[at(triangle[1])] - origin)
-                                           .cross(frame.positions[at(triangle[2])] - origin);
+        const Eigen::Vector3f across =
+            (frame.positions[at(triangle[1])] - origin).cross(frame.positions[at(triangle[2])] - origin);
         for (const int node : triangle) normals[at(node)] += across;
     }
     for (Eigen::Vector3f& normal : normals) {

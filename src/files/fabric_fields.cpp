@@ -82,8 +82,8 @@ double readValue(FieldReader& fields, const FabricParameter& parameter, const Un
     const std::string allowed = "; give a number, " + inUnit(parameter.minimum) + " to " +
                                 inUnit(parameter.maximum) + ' ' + unit.name;
     if (!found) fields.refuse("value", "is missing" + allowed);
-    const double value = found->is_number() ? found->get<double>() * unit.factor / unit.divisor
-                                            : parameter.minimum - 1;
+    const double value =
+        found->is_number() ? found->get<double>() * unit.factor / unit.divisor : parameter.minimum - 1;
     if (!(value >= parameter.minimum && value <= parameter.maximum))
         fields.refuse("value", "is " + shown(*found) + ' ' + unit.name + allowed);
     return value;
@@ -103,8 +103,7 @@ const Names<Provenance>& provenances() {
 const Names<Construction>& constructions() {
     static const Names<Construction> all = [] {
         Names<Construction> names;
-        for (const Construction each :
-             {Construction::plainWeave, Construction::twill, Construction::knit})
+        for (const Construction each : {Construction::plainWeave, Construction::twill, Construction::knit})
             names.emplace_back(toString(each), each);
         return names;
     }();
@@ -127,6 +126,8 @@ bool readQuantity(FieldReader& fields, const FabricParameter& parameter, Quantit
     Quantity read;
     if (found->is_object()) {
         fields.object(key, [&](FieldReader& inner) {
+            for (const char* known : {"value", "unit", "provenance", "source"}) inner.any(known);
+            inner.finish();  // a key that is mistyped would otherwise pass for one that is missing
             read.value = readValue(inner, parameter, readUnit(inner, parameter));
             inner.choice("provenance", read.provenance, provenances());
             inner.text("source", read.source);
@@ -142,9 +143,8 @@ bool readQuantity(FieldReader& fields, const FabricParameter& parameter, Quantit
 
 nlohmann::ordered_json quantityJson(const FabricParameter& parameter, const Quantity& quantity) {
     if (quantity.provenance == Provenance::given && quantity.source.empty()) return quantity.value;
-    nlohmann::ordered_json json = {{"value", quantity.value},
-                                   {"unit", parameter.unit},
-                                   {"provenance", toString(quantity.provenance)}};
+    nlohmann::ordered_json json = {
+        {"value", quantity.value}, {"unit", parameter.unit}, {"provenance", toString(quantity.provenance)}};
     if (!quantity.source.empty()) json["source"] = quantity.source;
     return json;
 }

@@ -13,7 +13,8 @@ namespace drench {
 namespace {
 
 void check(const std::vector<ClothFrame>& sheets) {
-    if (sheets.empty()) throw std::invalid_argument("drench: there are no sheets to write; give at least one");
+    if (sheets.empty())
+        throw std::invalid_argument("drench: there are no sheets to write; give at least one");
     for (const ClothFrame& sheet : sheets) validate(sheet);
 }
 

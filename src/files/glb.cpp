@@ -57,7 +57,8 @@ class Buffer {
     std::vector<unsigned char>& bytes() { return model_.buffers[0].data; }
 
     template <typename Number>
-    static void setRange(tinygltf::Accessor& accessor, const std::vector<Number>& numbers, std::size_t components) {
+    static void setRange(tinygltf::Accessor& accessor, const std::vector<Number>& numbers,
+                         std::size_t components) {
         for (std::size_t c = 0; c < components; ++c) {
             Number least = numbers[c], most = numbers[c];
             for (std::size_t i = c; i < numbers.size(); i += components) {
@@ -78,7 +79,8 @@ void addAttribute(Buffer& buffer, tinygltf::Primitive& primitive, const char* na
     const auto add = [&](const std::vector<float>& values) {
         return buffer.add(values, track.components, TINYGLTF_COMPONENT_TYPE_FLOAT, withRange);
     };
-    buffer.beginView(TINYGLTF_TARGET_ARRAY_BUFFER, sizeof(float) * static_cast<std::size_t>(track.components));
+    buffer.beginView(TINYGLTF_TARGET_ARRAY_BUFFER,
+                     sizeof(float) * static_cast<std::size_t>(track.components));
     const std::vector<float>& base = track.blocks.front();
     primitive.attributes[name] = add(base);
     std::vector<int> accessorOfBlock(track.blocks.size(), -1);

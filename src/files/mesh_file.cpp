@@ -60,8 +60,8 @@ class Gatherer {
             file_.doubleTriangles.push_back(numbers);
             return;
         }
-        for (const auto& [a, b] : {std::array<int, 2>{sorted[0], sorted[1]}, {sorted[0], sorted[2]},
-                                   {sorted[1], sorted[2]}})
+        for (const auto& [a, b] :
+             {std::array<int, 2>{sorted[0], sorted[1]}, {sorted[0], sorted[2]}, {sorted[1], sorted[2]}})
             ++sides_[{a, b}];
         for (const int number : numbers) nodes_[number];
         file_.mesh.triangles.push_back(numbers);
@@ -123,7 +123,8 @@ MeshFile parsed(std::string_view text, const MeshReading& reading) {
     config.triangulate = true;
     config.vertex_color = false;
     tinyobj::ObjReader reader;
-    if (!reader.ParseFromString(std::string(text), "", config)) throw std::invalid_argument(reader.Error());
+    if (!reader.ParseFromString(files::withoutComments(text), "", config))
+        throw std::invalid_argument(reader.Error());
     Gatherer gatherer(reader.GetAttrib(), reading);
     for (const tinyobj::shape_t& shape : reader.GetShapes()) gatherer.add(shape);
     return gatherer.finish();

@@ -57,7 +57,8 @@ class Check {
         const std::string_view kind = words.next();
         if (kind == "v") {
             numbers(words, "a vertex", 3, reading_.scale);
-            if (++vertices_ > mostVertices) refuse("there are more than a million vertices; give a coarser mesh");
+            if (++vertices_ > mostVertices)
+                refuse("there are more than a million vertices; give a coarser mesh");
         } else if (kind == "vt") {
             numbers(words, "a texture coordinate", reading_.texture ? 2 : 1, 1);
             ++textures_;
@@ -68,7 +69,8 @@ class Check {
 
     void finish() const {
         if (faces_ == 0)
-            throw std::invalid_argument("it has no faces (lines that begin with f); cloth needs at least one");
+            throw std::invalid_argument(
+                "it has no faces (lines that begin with f); cloth needs at least one");
     }
 
   private:
@@ -87,8 +89,8 @@ class Check {
             if (!isRead(word, number) || !(std::abs(number * scale) <= furthest)) {
                 std::ostringstream most;
                 most << furthest / scale;
-                refuse(std::string(what) + " has the number " + quoted(word) + "; give finite numbers from -" +
-                       most.str() + " to " + most.str());
+                refuse(std::string(what) + " has the number " + quoted(word) +
+                       "; give finite numbers from -" + most.str() + " to " + most.str());
             }
         }
     }
@@ -97,7 +99,8 @@ class Check {
         constexpr int mostCorners = 1000;
         int corners = 0;
         for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-            if (++corners > mostCorners) refuse("a face has more than 1000 corners; cut it into smaller ones");
+            if (++corners > mostCorners)
+                refuse("a face has more than 1000 corners; cut it into smaller ones");
             corner(word);
         }
         if (corners < 3) refuse("a face has " + std::to_string(corners) + " corners; give at least 3");
@@ -138,6 +141,19 @@ void checkObj(std::string_view text, const MeshReading& reading) {
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + (isTwo ? 2 : 1));
     }
     check.finish();
+}
+
+std::string withoutComments(std::string_view text) {
+    std::string kept;
+    kept.reserve(text.size());
+    bool inComment = false;
+    for (const char c : text) {
+        const bool isFree =
+            kept.empty() || std::string_view(" \t\r\n").find(kept.back()) != std::string_view::npos;
+        inComment = c != '\r' && c != '\n' && (inComment || (c == '#' && isFree));
+        if (!inComment) kept += c;
+    }
+    return kept;
 }
 
 }  // namespace drench::files

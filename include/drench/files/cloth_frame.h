@@ -18,15 +18,15 @@ struct ClothFrame {
     std::string name;
     std::vector<std::array<int, 3>> triangles;  ///< node indices
     std::vector<Eigen::Vector3f> positions;     ///< m
-    std::vector<Eigen::Vector3f> normals;       ///< of length 1: of the triangles around, by their areas; or +y
-    std::vector<double> masses;                 ///< cloth and water, kg
-    std::vector<double> poreMasses;             ///< water between the fibres, kg
-    std::vector<double> filmMasses;             ///< water on both faces, kg
-    std::vector<double> filmThicknesses;        ///< on one face, m
-    std::vector<double> contents;               ///< water over dry cloth, kg/kg
-    std::vector<float> saturations;             ///< pore water over pore capacity, 0 to 1
-    std::vector<float> glosses;                 ///< how much a node shines like water, 0 to 1
-    std::vector<Eigen::Vector3f> colours;       ///< diffuse, linear RGB, 0 to 1: wet cloth is darker
+    std::vector<Eigen::Vector3f> normals;  ///< of length 1: of the triangles around, by their areas; or +y
+    std::vector<double> masses;            ///< cloth and water, kg
+    std::vector<double> poreMasses;        ///< water between the fibres, kg
+    std::vector<double> filmMasses;        ///< water on both faces, kg
+    std::vector<double> filmThicknesses;   ///< on one face, m
+    std::vector<double> contents;          ///< water over dry cloth, kg/kg
+    std::vector<float> saturations;        ///< pore water over pore capacity, 0 to 1
+    std::vector<float> glosses;            ///< how much a node shines like water, 0 to 1
+    std::vector<Eigen::Vector3f> colours;  ///< diffuse, linear RGB, 0 to 1: wet cloth is darker
 };
 
 /// Checks that a frame has a name and triangles, that lists are as long as each other, that nodes of triangles are there,
