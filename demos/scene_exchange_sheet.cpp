@@ -18,7 +18,8 @@ void exchangeFabric(FieldReader& fields, FabricDescription& fabric) {
     if (!found->is_object()) return fields.choice("fabric", fabric.like, presets);
     fields.object("fabric", [&](FieldReader& inner) {
         inner.choice("like", fabric.like, presets);
-        inner.name("name", fabric.name);
+        inner.text("name", fabric.name);
+        if (inner.any("construction")) files::readConstruction(inner, fabric.construction.emplace());
         for (const FabricParameter& parameter : fabricParameters()) {
             Quantity value;
             if (files::readQuantity(inner, parameter, value))
@@ -33,9 +34,11 @@ void exchangeFabric(FieldReader& fields, FabricDescription& fabric) {
 }
 
 void exchangeFabric(FieldWriter& fields, const FabricDescription& fabric) {
-    if (fabric.name.empty() && fabric.changes.empty()) return fields.put("fabric", fabric.like);
+    if (fabric.name.empty() && fabric.changes.empty() && !fabric.construction)
+        return fields.put("fabric", fabric.like);
     nlohmann::ordered_json object = {{"like", fabric.like}};
     if (!fabric.name.empty()) object["name"] = fabric.name;
+    if (fabric.construction) object["construction"] = toString(*fabric.construction);
     for (const FabricParameter& parameter : fabricParameters())
         for (const auto& [name, value] : fabric.changes)
             if (name == parameter.name) object[name] = files::quantityJson(parameter, value);
