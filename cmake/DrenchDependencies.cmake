@@ -35,9 +35,14 @@ if(DRENCH_BUILD_FILES OR DRENCH_BUILD_DEMOS OR DRENCH_BUILD_TESTS)
   find_package(nlohmann_json REQUIRED)
 endif()
 if(DRENCH_BUILD_FILES)
-  pkg_check_modules(DRENCH_TINYGLTF REQUIRED IMPORTED_TARGET tinygltf)
-  # The library of doubles; its pkg-config file leaves out the definition that its header wants.
-  pkg_check_modules(DRENCH_TINYOBJLOADER REQUIRED IMPORTED_TARGET tinyobjloader_double)
+  pkg_check_modules(DRENCH_TINYGLTF IMPORTED_TARGET tinygltf)
+  pkg_check_modules(DRENCH_TINYOBJLOADER IMPORTED_TARGET tinyobjloader_double)
+  if(NOT DRENCH_TINYGLTF_FOUND OR NOT DRENCH_TINYOBJLOADER_FOUND)
+    message(FATAL_ERROR "Drench: drench::files needs tinygltf and tinyobjloader (of doubles), which pkg-config does not "
+                        "find. Install libtinygltf-dev and libtinyobjloader-dev, or set -DDRENCH_BUILD_FILES=OFF, with "
+                        "the demos and tests off as well.")
+  endif()
+  # Its pkg-config file leaves out the definition that the header wants of whoever links the library of doubles.
   target_compile_definitions(PkgConfig::DRENCH_TINYOBJLOADER INTERFACE TINYOBJLOADER_USE_DOUBLE)
 elseif(DRENCH_BUILD_DEMOS OR DRENCH_BUILD_TESTS)
   message(FATAL_ERROR "Drench: drench-demo and the tests need drench::files; leave DRENCH_BUILD_FILES on, or turn "

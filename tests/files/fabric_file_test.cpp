@@ -155,6 +155,16 @@ TEST(FabricFile, WritesNothingThatCannotBeRead) {
     EXPECT_EQ(folder.files(), 0u);
 }
 
+TEST(FabricFile, ExampleInTheDocumentsIsRead) {
+    const std::string page = test::contentsOf(DRENCH_SOURCE_DIR "/docs/files.md"), begin = "```json\n";
+    const std::size_t from = page.find(begin) + begin.size();
+    const Fabric towel = fabricFromText(page.substr(from, page.find("```", from) - from));
+    EXPECT_EQ(towel.name, "bath towel");
+    EXPECT_EQ(towel.arealDensity.value, 0.42);
+    for (const FabricParameter& parameter : fabricParameters())
+        EXPECT_NE(page.find("| " + std::string(parameter.unit) + " |"), std::string::npos) << parameter.unit;
+}
+
 TEST(FabricFile, SchemaInTheDocumentsIsTheLibrarys) {
     EXPECT_EQ(test::contentsOf(DRENCH_SOURCE_DIR "/docs/fabric.schema.json"), fabricSchema())
         << "write fabricSchema() there again";

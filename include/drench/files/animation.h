@@ -18,13 +18,12 @@ namespace drench {
 /// with the mean gloss over all frames (assumed).
 ///
 /// The file, and memory while it is recorded, take 40 bytes for each node in each frame; what does not change from one
-/// frame to the next of normals, colours and wetness is kept once. Writing takes about three times the file in
-/// memory. Same frames, same bytes.
+/// frame to the next is kept once. Writing takes four times the file's size in memory on top. Same frames, same bytes.
 class Animation {
   public:
-    /// @param mostBytes  that recording may take; up to 2e9. Default 1e9, 250 frames of 100,000 nodes
+    /// @param mostBytes  that recording may take; up to 2e9. Default 5e8, 3000 frames of 4096 nodes
     /// @throws std::invalid_argument for 0 or more than 2e9
-    explicit Animation(std::size_t mostBytes = 1'000'000'000);
+    explicit Animation(std::size_t mostBytes = 500'000'000);
     ~Animation();
     Animation(Animation&&) noexcept;
     Animation& operator=(Animation&&) noexcept;
