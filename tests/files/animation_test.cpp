@@ -127,6 +127,17 @@ TEST(Animation, WhatDoesNotChangeIsThereOnce) {
     EXPECT_LT(test::contentsOf(folder / "still.glb").size(), 80 * nodes + 2 * 12 * 128 + 4 * 36 + 6000);
 }
 
+TEST(Animation, TwoFramesMoveAndOneStandsStill) {
+    const TemporaryFolder folder;
+    const auto run = test::wetRun(2);
+    recorded(run).write(folder / "two.glb");
+    recorded({run[0]}).write(folder / "one.glb");
+    const GlbReader two(test::contentsOf(folder / "two.glb")), one(test::contentsOf(folder / "one.glb"));
+    EXPECT_EQ(two.json()["animations"][0]["channels"].size(), 2u);
+    EXPECT_FALSE(one.json().contains("animations"));
+    EXPECT_EQ(one.attribute(0, "POSITION", 0), two.attribute(0, "POSITION", 0));
+}
+
 TEST(Animation, SameFramesSameBytes) {
     const TemporaryFolder folder;
     const auto run = test::wetRun(3);

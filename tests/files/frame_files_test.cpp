@@ -3,6 +3,8 @@
 #include <drench/files/mesh_file.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -70,6 +72,10 @@ TEST(FrameFiles, CsvHasALineForEachNode) {
             EXPECT_EQ(row[2], std::to_string(n));
             EXPECT_EQ(std::stof(row[4]), sheet.positions[n].y());
             EXPECT_NEAR(std::stod(row[6]), sheet.masses[n], 1e-8 * sheet.masses[n]);
+            EXPECT_NEAR(std::stod(row[7]), sheet.poreMasses[n], 1e-8 * sheet.poreMasses[n]);
+            EXPECT_NEAR(std::stod(row[8]), sheet.filmMasses[n], 1e-8 * sheet.filmMasses[n]);
+            EXPECT_NEAR(std::stod(row[9]), sheet.filmThicknesses[n], 1e-8 * sheet.filmThicknesses[n]);
+            EXPECT_NEAR(std::stod(row[10]), sheet.contents[n], 1e-8 * sheet.contents[n]);
             EXPECT_EQ(std::stof(row[11]), sheet.saturations[n]);
             EXPECT_EQ(std::stof(row[14]), sheet.colours[n].z());
             mass += std::stod(row[7]) + std::stod(row[8]);
@@ -106,6 +112,24 @@ TEST(FrameFiles, RefuseWhatIsNoFrame) {
     EXPECT_NE(refused(off).find("a node that is not there"), std::string::npos);
     EXPECT_NE(refusal<std::invalid_argument>([&] { writeCsv(folder / "a.csv", INFINITY, frame()); }), "");
     EXPECT_EQ(folder.files(), 0u);
+}
+
+TEST(FrameFiles, NormalsAreThoseOfBullet) {
+    test::SmallStepWorld world;
+    btSoftBody& body = world.add(test::hangingSheet(world.info(), Fabric(), 0.5, 8));
+    WetCloth& cloth = world.cover(body, Fabric());
+    cloth.air().wind = {0, 0, 5};
+    world.run(0.3);
+    body.updateNormals();
+    const ClothFrame now = frameOf("sheet", body, cloth);
+    float leastZ = 1;
+    for (int n = 0; n < body.m_nodes.size(); ++n) {
+        const btVector3& normal = body.m_nodes[n].m_n;
+        const Eigen::Vector3f bullets(float(normal.x()), float(normal.y()), float(normal.z()));
+        EXPECT_LT((now.normals[std::size_t(n)] - bullets).norm(), 1e-5f) << n;
+        leastZ = std::min(leastZ, std::abs(bullets.z()));
+    }
+    EXPECT_LT(leastZ, 0.95f);  // the sheet is no plane any more
 }
 
 TEST(FrameFiles, FramesAreOfTheirOwnBody) {
