@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "drench/export.h"
 #include "drench/fabric.h"
 #include "drench/precision.h"
 #include "drench/triangle_mesh.h"
@@ -19,14 +20,14 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// Where the four corners of a sheet are, m. The warp (material coordinate u) runs from `origin` to `warpEnd`, the weft
 /// (v) from `origin` to `weftEnd`.
 struct Corners {
-    btVector3 origin;
-    btVector3 warpEnd;
-    btVector3 weftEnd;
-    btVector3 opposite;
+    btVector3 origin;    ///< of node (0, 0)
+    btVector3 warpEnd;   ///< at the end of the first row
+    btVector3 weftEnd;   ///< at the beginning of the last row
+    btVector3 opposite;  ///< at the end of the last row
 };
 
 /// A parallelogram with one corner and its two sides, m.
-Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const btVector3& weftSide);
+DRENCH_API Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const btVector3& weftSide);
 
 /// Makes a grid of nodesWarp x nodesWeft nodes; node (i, j) has index i + j nodesWarp and sits at i /
 /// (nodesWarp - 1) of the way along the warp and j / (nodesWeft - 1) along the weft.
@@ -45,8 +46,8 @@ Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const bt
 /// @return the body; the application adds it to its world, and removes it before it lets go
 /// @throws std::invalid_argument for a fabric out of range, a node count out of range, or corners that are
 ///     not finite or leave a face without area.
-std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
-                                      const Corners& corners, int nodesWarp, int nodesWeft);
+DRENCH_API std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
+                                                 const Corners& corners, int nodesWarp, int nodesWeft);
 
 /// Makes a body of any mesh, node by vertex and face by triangle, at rest as the mesh is.
 ///
@@ -61,15 +62,16 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
 /// @return the body; the application adds it to its world, and removes it before it lets go
 /// @throws std::invalid_argument for a fabric out of range, a mesh that `validate` refuses, or a triangle whose area
 ///     is 0 in Bullet's precision
-std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
-                                      const TriangleMesh& mesh);
+DRENCH_API std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
+                                                 const TriangleMesh& mesh);
 
 /// Holds nodes where they are: their inverse masses become 0.
 /// @throws std::out_of_range for a node that is not there; none is then held
-void pin(btSoftBody& body, const std::vector<int>& nodes);
+DRENCH_API void pin(btSoftBody& body, const std::vector<int>& nodes);
 
 /// Holds the nodes whose positions, m, a function says yes to. @return their indices
-std::vector<int> pinWhere(btSoftBody& body, const std::function<bool(const btVector3& position)>& isPinned);
+DRENCH_API std::vector<int> pinWhere(btSoftBody& body,
+                                     const std::function<bool(const btVector3& position)>& isPinned);
 
 /// Material coordinates for cloth that is wrapped around something, as a sleeve is, for
 /// SheetSettings::faceCoordinates: each face is laid flat as it is now, the weft along `axis` as far as it
@@ -78,7 +80,8 @@ std::vector<int> pinWhere(btSoftBody& body, const std::function<bool(const btVec
 /// @param axis  of any length above 0
 /// @return the three corners of each face, m, each face by itself
 /// @throws std::invalid_argument for an axis that is not finite or has no length
-std::vector<std::array<Eigen::Vector2d, 3>> wrappedCoordinates(const btSoftBody& body, const btVector3& axis);
+DRENCH_API std::vector<std::array<Eigen::Vector2d, 3>> wrappedCoordinates(const btSoftBody& body,
+                                                                          const btVector3& axis);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "drench/export.h"
+
 namespace drench {
 
 /// Where the nodes of a sheet are at rest, and which triangles they span. `makeSheet` in sheet.h makes a body of it.
@@ -22,11 +24,11 @@ struct TriangleMesh {
 /// three different nodes, with an area, and none twice, every node in a triangle, finite texture coordinates for all
 /// triangles or for none. Sides of three and more triangles, several pieces and holes are allowed.
 /// @throws std::invalid_argument that names the vertex or triangle, counted from 0
-void validate(const TriangleMesh& mesh);
+DRENCH_API void validate(const TriangleMesh& mesh);
 
 /// The sides of a mesh, each once: its two nodes, the lower first, in ascending order.
 /// @throws std::out_of_range for a node that is not there
-std::vector<std::array<int, 2>> sidesOf(const TriangleMesh& mesh);
+DRENCH_API std::vector<std::array<int, 2>> sidesOf(const TriangleMesh& mesh);
 
 /// Material coordinates for SheetSettings::faceCoordinates by the texture of a mesh, as clothes are usually cut: each
 /// triangle is laid flat at its true size, with the warp in the direction in which u rises, as far as that lies in it;
@@ -34,6 +36,6 @@ std::vector<std::array<int, 2>> sidesOf(const TriangleMesh& mesh);
 /// @return the three corners of each triangle, m, each triangle by itself
 /// @throws std::invalid_argument as `validate`, for a mesh without texture coordinates, and for a triangle whose
 ///     texture coordinates span no area, which then have no direction
-std::vector<std::array<Eigen::Vector2d, 3>> texturedCoordinates(const TriangleMesh& mesh);
+DRENCH_API std::vector<std::array<Eigen::Vector2d, 3>> texturedCoordinates(const TriangleMesh& mesh);
 
 }  // namespace drench

@@ -1,4 +1,5 @@
-// Files that appear under their names only once they are whole, and are read whole.
+// Files that are read whole, and appear under their names only once they are whole. A name that is a link stands for
+// where it points.
 #pragma once
 
 #include <cstddef>

@@ -60,5 +60,17 @@ TEST(Table, LeavesFilesBesideItAlone) {
     std::filesystem::remove_all(folder);
 }
 
+TEST(Table, WritesThroughALink) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "drench_table_link";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder / "elsewhere");
+    std::ofstream(folder / "elsewhere" / "b.csv") << "old";
+    std::filesystem::create_symlink("elsewhere/b.csv", folder / "a.csv");
+    writeCsv(folder / "a.csv", example);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "a.csv"));
+    EXPECT_EQ(contents(folder / "elsewhere" / "b.csv"), "step,mass_kg\n0,1.5\n1,\n");
+    std::filesystem::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace drench::demo

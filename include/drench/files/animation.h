@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "drench/export.h"
 #include "drench/files/cloth_frame.h"
 
 namespace drench {
@@ -19,7 +20,7 @@ namespace drench {
 ///
 /// The file, and memory while it is recorded, take 40 bytes for each node in each frame; what does not change from one
 /// frame to the next is kept once. Writing takes four times the file's size in memory on top. Same frames, same bytes.
-class Animation {
+class DRENCH_API Animation {
   public:
     /// @param mostBytes  that recording may take; up to 2e9. Default 5e8, 3000 frames of 4096 nodes
     /// @throws std::invalid_argument for 0 or more than 2e9

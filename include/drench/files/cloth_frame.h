@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "drench/export.h"
 #include "drench/precision.h"
 #include "drench/wet_cloth.h"
 
@@ -32,7 +33,7 @@ struct ClothFrame {
 /// Checks that a frame has a name and triangles, that lists are as long as each other, that nodes of triangles are there,
 /// and that every number is finite.
 /// @throws std::invalid_argument that names the sheet, the list and the node
-void validate(const ClothFrame& frame);
+DRENCH_API void validate(const ClothFrame& frame);
 
 inline namespace DRENCH_BULLET_NAMESPACE {
 
@@ -41,7 +42,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// @param body  that `cloth` is attached to
 /// @throws std::invalid_argument for another name, a body of another number of nodes than the cloth, and where a
 ///     position or another number is not finite
-ClothFrame frameOf(const std::string& name, const btSoftBody& body, const WetCloth& cloth);
+DRENCH_API ClothFrame frameOf(const std::string& name, const btSoftBody& body, const WetCloth& cloth);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "drench/export.h"
 #include "drench/fabric.h"
 
 namespace drench {
@@ -22,22 +23,22 @@ namespace drench {
 ///     syntax is broken, and says what may be given: for keys that are not known, are there twice or are missing,
 ///     values of another type or out of range, units of another kind, what `validate` refuses, and text of more than
 ///     1 MB, with more than 10,000 values or more than 8 deep.
-Fabric fabricFromText(std::string_view text);
+DRENCH_API Fabric fabricFromText(std::string_view text);
 
 /// A fabric as JSON text, of which `fabricFromText` makes the same, to the last bit.
 /// @throws std::invalid_argument for a fabric that `validate` or `fabricFromText` refuses
-std::string fabricText(const Fabric& fabric);
+DRENCH_API std::string fabricText(const Fabric& fabric);
 
 /// Reads a fabric file, text as in `fabricFromText`.
 /// @throws std::runtime_error that names the file, and says what is wrong with it
-Fabric readFabric(const std::filesystem::path& path);
+DRENCH_API Fabric readFabric(const std::filesystem::path& path);
 
 /// Writes a fabric file, which appears under its name only once it is whole; folders above it are made.
 /// @throws std::invalid_argument as `fabricText`; std::runtime_error that names the path and says what is in the way
-void writeFabric(const std::filesystem::path& path, const Fabric& fabric);
+DRENCH_API void writeFabric(const std::filesystem::path& path, const Fabric& fabric);
 
 /// The JSON Schema (draft 2020-12) of fabric files, for editors and other programs. It knows keys, units, and the
 /// ranges of plain numbers; how values must fit each other it does not.
-std::string fabricSchema();
+DRENCH_API std::string fabricSchema();
 
 }  // namespace drench

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "drench/export.h"
 #include "drench/triangle_mesh.h"
 
 namespace drench {
@@ -43,11 +44,11 @@ struct MeshFile {
 ///     that are not finite, or that are beyond 1e6 m; for a face with less than 3 or more than 1000 corners, or an
 ///     index that is not there. Also for text without faces with an area, or of more than 256 MB or a million
 ///     vertices, and for a scale out of range.
-MeshFile meshFromText(std::string_view text, const MeshReading& reading = {});
+DRENCH_API MeshFile meshFromText(std::string_view text, const MeshReading& reading = {});
 
 /// Reads an OBJ file; see `meshFromText`.
 /// @throws std::runtime_error that names the file, and says what is wrong with it; std::invalid_argument for a scale
 ///     out of range
-MeshFile readMesh(const std::filesystem::path& path, const MeshReading& reading = {});
+DRENCH_API MeshFile readMesh(const std::filesystem::path& path, const MeshReading& reading = {});
 
 }  // namespace drench
