@@ -18,6 +18,7 @@
 #include "drench/state.h"
 #include "drench/step_times.h"
 #include "drench/surface.h"
+#include "drench/triangle_mesh.h"
 #include "drench/water.h"
 #include "drench/wet_cloth.h"
 #include "drench/wet_contact.h"
