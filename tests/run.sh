@@ -4,7 +4,7 @@ set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 . "$root/cmake/prepare.sh"
 
-install_missing "${build_packages[@]}" "${picture_packages[@]}" libgtest-dev xvfb xauth xdotool
+install_missing "${build_packages[@]}" "${picture_packages[@]}" libgtest-dev xvfb xdotool
 build_in "$root/build-tests" all -DDRENCH_BUILD_TESTS=ON -DDRENCH_WERROR=ON
 
 exec ctest --test-dir "$root/build-tests" --output-on-failure --parallel "$(nproc 2>/dev/null || echo 2)" "$@"

@@ -3,13 +3,10 @@
 # $2: picture_probe.
 set -u
 program=$1 probe=$2
-if [ "${3:-}" != inside ]; then
-  exec xvfb-run --auto-servernum --server-args='-screen 0 1024x768x24 -noreset' "$0" "$program" "$probe" inside
-fi
 . "$(dirname "$0")/window_helpers.sh"
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"; kill $child $other 2>/dev/null' EXIT
+open_display
 other=
+trap 'kill $child $other $display 2>/dev/null; wait; rm -rf "$folder"' EXIT
 
 # ended: waits for the program, which must end well by itself.
 ended() {
