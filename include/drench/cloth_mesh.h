@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "drench/export.h"
+
 namespace drench {
 
 /// The nodes and triangles of a sheet at rest, laid out flat in material coordinates: u along the warp, v
@@ -24,18 +26,18 @@ struct ClothMesh {
 };
 
 /// Area of a triangle in material coordinates, m2.
-double triangleArea(const std::array<Eigen::Vector2d, 3>& corners);
+DRENCH_API double triangleArea(const std::array<Eigen::Vector2d, 3>& corners);
 
 /// A sheet without seams.
 /// @param coordinates  of each node, m
 /// @param triangles    node indices of each triangle
 /// @throws std::out_of_range for a node that is not there
-ClothMesh flatMesh(const std::vector<Eigen::Vector2d>& coordinates,
-                   const std::vector<std::array<int, 3>>& triangles);
+DRENCH_API ClothMesh flatMesh(const std::vector<Eigen::Vector2d>& coordinates,
+                              const std::vector<std::array<int, 3>>& triangles);
 
 /// Checks that areas are finite and not negative, that every triangle joins three different nodes that are
 /// there, and that its coordinates are finite and span an area.
 /// @throws std::invalid_argument that names the node or triangle
-void validate(const ClothMesh& mesh);
+DRENCH_API void validate(const ClothMesh& mesh);
 
 }  // namespace drench

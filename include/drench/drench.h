@@ -5,6 +5,7 @@
 #include "drench/cloth_mesh.h"
 #include "drench/drop.h"
 #include "drench/drying.h"
+#include "drench/export.h"
 #include "drench/fabric.h"
 #include "drench/falling_drops.h"
 #include "drench/ledger.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drench/air.h"
+#include "drench/export.h"
 #include "drench/fabric.h"
 
 namespace drench {
@@ -16,7 +17,7 @@ struct Evaporation {
 /// Checks temperature (0 to 60), humidity (0 to 1), vapour exchange (0 to 1), shelter length (0 to 1000) and
 /// that the wind is finite and at most 1e4 m/s.
 /// @throws std::invalid_argument that names the value and its range
-void validate(const Air& air);
+DRENCH_API void validate(const Air& air);
 
 /// Evaporation of a sheet that is wet on both faces (textbook): rate = 2 h_m (rho_sat(T_s) - RH
 /// rho_sat(T_a)). The mass transfer coefficient is h_m = h_c / (rho_a c_p) Le^(-2/3), Le = 0.85 (Chilton &
@@ -27,13 +28,13 @@ void validate(const Air& air);
 /// @param speed   of the air along the sheet, m/s, 0 to 100
 /// @param length  of the sheet along the air, m, 1e-3 to 100
 /// @throws std::invalid_argument for air, speed or length out of range
-Evaporation evaporation(const Air& air, double speed, double length);
+DRENCH_API Evaporation evaporation(const Air& air, double speed, double length);
 
 /// Water that the fibre binds in humid air: the isotherm of Guggenheim, Anderson and de Boer (GAB), W = X c y
 /// / ((1 - y)(1 - y + c y)), y = k RH. c = 10 (assumed); X and k are such that the fabric has its regain at
 /// 65 % humidity and its bound maximum at 100 %. Where that takes a k above 0.999, as at a regain of 0, k is
 /// 0.999: the bound maximum holds, and the content at 65 % is above the regain.
-class Isotherm {
+class DRENCH_API Isotherm {
   public:
     /// @throws std::invalid_argument for a fabric out of range
     explicit Isotherm(const Fabric& fabric);

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "drench/export.h"
+
 namespace drench {
 
 /// Where a number comes from.
@@ -17,18 +19,21 @@ enum class Provenance {
 };
 
 /// "measured", "textbook", "assumed" or "given".
-std::string_view toString(Provenance provenance);
+DRENCH_API std::string_view toString(Provenance provenance);
 
 /// A number of a fabric together with where it comes from. Reads as a double; assigning a plain number
 /// marks it as given by the application.
 struct Quantity {
-    double value = 0;
-    Provenance provenance = Provenance::given;
+    double value = 0;                           ///< in the unit of its parameter
+    Provenance provenance = Provenance::given;  ///< where it comes from
     std::string source;  ///< author and year, or the reason; may be empty unless measured
 
     Quantity() = default;
+    /// A value given by the application.
     Quantity(double v) : value(v) {}
+    /// A value with where it comes from.
     Quantity(double v, Provenance p, std::string s) : value(v), provenance(p), source(std::move(s)) {}
+    /// The value alone.
     operator double() const { return value; }
 };
 
@@ -40,14 +45,14 @@ enum class Construction {
 };
 
 /// "plain weave", "twill" or "knit".
-std::string_view toString(Construction construction);
+DRENCH_API std::string_view toString(Construction construction);
 
 /// A woven or knitted cloth in textile units, dry and wet.
 ///
 /// The defaults are those of `fabrics::cottonPlain()`. Change what you know of your own cloth and hand it to
 /// `makeSheet` or `WetCloth`; both call `validate`. Warp is the direction of material coordinate u, weft that of v.
 /// "Wet" means that the bound water is at its maximum. A star marks parameters that no law of this version uses yet.
-struct Fabric {
+struct DRENCH_API Fabric {
     std::string name = "cotton plain";  ///< for messages and files; not empty
 
     // Construction
@@ -113,41 +118,41 @@ struct Fabric {
 
 /// One parameter of a fabric: its name as in `Fabric`, unit, range, and where it sits.
 struct FabricParameter {
-    std::string_view name;
-    std::string_view unit;
-    double minimum;
-    double maximum;
-    Quantity Fabric::*member;
+    std::string_view name;     ///< as in `Fabric`
+    std::string_view unit;     ///< such as "N/m"; "1" for a number without
+    double minimum;            ///< in that unit
+    double maximum;            ///< in that unit
+    Quantity Fabric::*member;  ///< where it sits
 };
 
 /// Every parameter of `Fabric`, in the order of its declaration.
-const std::vector<FabricParameter>& fabricParameters();
+DRENCH_API const std::vector<FabricParameter>& fabricParameters();
 
 /// Checks every parameter for a finite value within its range, and those that depend on each other: porosity from 0.01
 /// to 0.999, bound maximum at least 1.6 times the regain, shear below both stretches, saturated air permeability not
 /// above the dry one.
 /// @throws std::invalid_argument that names the fabric, the parameter, its value and the range.
-void validate(const Fabric& fabric);
+DRENCH_API void validate(const Fabric& fabric);
 
 /// Ready fabrics. Every value carries its provenance.
 namespace fabrics {
 
-Fabric cottonPlain();        ///< plain-weave scoured cotton shirting, 150 g/m2
-Fabric polyesterPlain();     ///< plain-weave polyester, 120 g/m2: hardly takes water into its fibres
-Fabric polyesterTropical();  ///< polyester suiting, 117 g/m2: its bending and drape are measured
-Fabric wool();               ///< wool suiting, 200 g/m2: wets slowly
-Fabric linen();              ///< linen, 180 g/m2
-Fabric silk();               ///< silk, 70 g/m2
-Fabric nylonTaffeta();       ///< dense nylon taffeta, 70 g/m2
-Fabric denim();              ///< 11 oz cotton denim, 324 g/m2
-Fabric jersey();             ///< cotton single jersey, 160 g/m2: a knit that gives way easily
+DRENCH_API Fabric cottonPlain();     ///< plain-weave scoured cotton shirting, 150 g/m2
+DRENCH_API Fabric polyesterPlain();  ///< plain-weave polyester, 120 g/m2: hardly takes water into its fibres
+DRENCH_API Fabric polyesterTropical();  ///< polyester suiting, 117 g/m2: its bending and drape are measured
+DRENCH_API Fabric wool();               ///< wool suiting, 200 g/m2: wets slowly
+DRENCH_API Fabric linen();              ///< linen, 180 g/m2
+DRENCH_API Fabric silk();               ///< silk, 70 g/m2
+DRENCH_API Fabric nylonTaffeta();       ///< dense nylon taffeta, 70 g/m2
+DRENCH_API Fabric denim();              ///< 11 oz cotton denim, 324 g/m2
+DRENCH_API Fabric jersey();             ///< cotton single jersey, 160 g/m2: a knit that gives way easily
 
 /// Names that `byName` knows, in the order above: cotton, polyester, tropical, wool, linen, silk, nylon, denim,
 /// jersey.
-const std::vector<std::string>& names();
+DRENCH_API const std::vector<std::string>& names();
 
 /// The preset of that name. @throws std::invalid_argument that lists the names there are.
-Fabric byName(std::string_view name);
+DRENCH_API Fabric byName(std::string_view name);
 
 }  // namespace fabrics
 }  // namespace drench

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drench/drop.h"
+#include "drench/export.h"
 #include "drench/precision.h"
 #include "drench/wet_cloth.h"
 
@@ -19,7 +20,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// momentum, in its account "drops". Drops of a sheet whose water runs faster than mechanics fall as often as
 /// that, but push only as in mechanical time. Optional: an application may as well draw the drops of
 /// WetCloth::takeDrops itself, or ignore them.
-class FallingDrops {
+class DRENCH_API FallingDrops {
   public:
     /// Drops that fall together.
     struct Flight {
@@ -55,14 +56,16 @@ class FallingDrops {
     const std::vector<Flight>& inFlight() const { return flights_; }
     /// What landed in the last step elsewhere than on a sheet.
     const std::vector<Landing>& landed() const { return landed_; }
-    /// Of all drops that were taken: what landed on sheets, landed elsewhere, and was lost, kg.
+    /// What landed on sheets, of all drops that were taken, kg.
     double massOnSheets() const { return massOnSheets_; }
+    /// What landed elsewhere, kg.
     double massElsewhere() const { return massElsewhere_; }
+    /// What was lost, kg.
     double massLost() const { return massLost_; }
 
   private:
-    struct Sheets;
-    struct Origins;
+    struct DRENCH_LOCAL Sheets;
+    struct DRENCH_LOCAL Origins;
 
     void takeDrops();
     bool land(std::size_t flight, const Eigen::Vector3d& to);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drench/cloth_mesh.h"
+#include "drench/export.h"
 #include "drench/fabric.h"
 #include "drench/ledger.h"
 
@@ -29,11 +30,11 @@ struct Surroundings {
 /// Pore water sits between the fibres, up to `poreCapacity(i)`; film water stands on the two faces. Masses
 /// are kept in double, so that a million small steps lose nothing that the ledger would notice; what is
 /// derived from them is single precision.
-class Moisture {
+class DRENCH_API Moisture {
   public:
     /// Drops that fell from a node within one step.
     struct Shed {
-        std::size_t node;
+        std::size_t node;    ///< index of it
         std::int64_t drops;  ///< of `dropMass` kg each
     };
 
@@ -41,8 +42,8 @@ class Moisture {
     /// @throws std::invalid_argument for a fabric or a mesh out of range.
     Moisture(const Fabric& fabric, const ClothMesh& mesh);
     ~Moisture();
-    Moisture(Moisture&&) noexcept;
-    Moisture& operator=(Moisture&&) noexcept;
+    Moisture(Moisture&&) noexcept;  ///< Takes over the water; the other may be destroyed or assigned to.
+    Moisture& operator=(Moisture&&) noexcept;  ///< The same.
 
     /// Number of nodes. Every `node` below is an index less than that; else std::out_of_range, where a call checks it.
     std::size_t size() const { return areas_.size(); }
@@ -120,7 +121,7 @@ class Moisture {
     std::size_t bytesPerNode() const;
 
   private:
-    struct Parts;
+    struct DRENCH_LOCAL Parts;
 
     void checkWater(std::size_t node, double mass, std::size_t account) const;
     void absorb(double dt);

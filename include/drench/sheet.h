@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "drench/export.h"
 #include "drench/fabric.h"
 #include "drench/precision.h"
 
@@ -17,14 +18,14 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// Where the four corners of a sheet are, m. The warp (material coordinate u) runs from `origin` to `warpEnd`, the weft
 /// (v) from `origin` to `weftEnd`.
 struct Corners {
-    btVector3 origin;
-    btVector3 warpEnd;
-    btVector3 weftEnd;
-    btVector3 opposite;
+    btVector3 origin;    ///< of node (0, 0)
+    btVector3 warpEnd;   ///< at the end of the first row
+    btVector3 weftEnd;   ///< at the beginning of the last row
+    btVector3 opposite;  ///< at the end of the last row
 };
 
 /// A parallelogram with one corner and its two sides, m.
-Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const btVector3& weftSide);
+DRENCH_API Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const btVector3& weftSide);
 
 /// Makes a grid of nodesWarp x nodesWeft nodes; node (i, j) has index i + j nodesWarp and sits at i /
 /// (nodesWarp - 1) of the way along the warp and j / (nodesWeft - 1) along the weft.
@@ -43,8 +44,8 @@ Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const bt
 /// @return the body; the application adds it to its world, and removes it before it lets go
 /// @throws std::invalid_argument for a fabric out of range, a node count out of range, or corners that are
 ///     not finite or leave a face without area.
-std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
-                                      const Corners& corners, int nodesWarp, int nodesWeft);
+DRENCH_API std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
+                                                 const Corners& corners, int nodesWarp, int nodesWeft);
 
 /// Material coordinates for cloth that is wrapped around something, as a sleeve is, for
 /// SheetSettings::faceCoordinates: each face is laid flat as it is now, the weft along `axis` as far as it
@@ -53,7 +54,8 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
 /// @param axis  of any length above 0
 /// @return the three corners of each face, m, each face by itself
 /// @throws std::invalid_argument for an axis that is not finite or has no length
-std::vector<std::array<Eigen::Vector2d, 3>> wrappedCoordinates(const btSoftBody& body, const btVector3& axis);
+DRENCH_API std::vector<std::array<Eigen::Vector2d, 3>> wrappedCoordinates(const btSoftBody& body,
+                                                                          const btVector3& axis);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

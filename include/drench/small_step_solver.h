@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "drench/export.h"
 #include "drench/precision.h"
 
 namespace drench {
@@ -64,7 +65,7 @@ struct SmallSteps {
 /// feel nothing.
 /// After the step m_rcontacts and m_scontacts hold what was touched in it. A substep that comes to something
 /// not finite leaves the sheet where it was, at rest; see SheetHealth.
-class SmallStepSolver final : public btDefaultSoftBodySolver {
+class DRENCH_API SmallStepSolver final : public btDefaultSoftBodySolver {
   public:
     /// @throws std::invalid_argument for a count or tolerance out of range
     explicit SmallStepSolver(const SmallSteps& settings = {});
@@ -72,21 +73,23 @@ class SmallStepSolver final : public btDefaultSoftBodySolver {
     SmallStepSolver(const SmallStepSolver&) = delete;
     SmallStepSolver& operator=(const SmallStepSolver&) = delete;
 
+    /// What it was made with.
     const SmallSteps& settings() const;
     /// Small steps of the last substep; 0 before the first, or without sheets.
     int steps() const;
     /// The loops in use: "AVX2", "baseline vectors" or "scalar".
     const char* kernels() const;
 
-    // What Bullet calls.
+    /// @cond  What Bullet calls.
     void predictMotion(btScalar substep) override;
     void solveConstraints(btScalar substep) override;
     void updateSoftBodies() override;
     void processCollision(btSoftBody* body, const btCollisionObjectWrapper* solid) override;
     void processCollision(btSoftBody* body, btSoftBody* other) override;
+    /// @endcond
 
   private:
-    struct State;
+    struct DRENCH_LOCAL State;
     std::unique_ptr<State> state_;
 };
 

@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "drench/cloth_mesh.h"
+#include "drench/export.h"
 
 namespace drench {
 
 /// Things that keep rain off, as the world around a sheet knows them.
-class Shelter {
+class DRENCH_API Shelter {
   public:
     virtual ~Shelter() = default;
     /// Whether anything solid lies between two points, m. The sheet itself is no shelter.
@@ -19,8 +20,8 @@ class Shelter {
 };
 
 /// A sheet as it is at the start of a step. Arrays have one entry a node.
-struct SheetPose {
-    const ClothMesh& mesh;
+struct DRENCH_API SheetPose {
+    const ClothMesh& mesh;                                 ///< the cloth at rest
     const std::vector<Eigen::Vector3d>& positions;         ///< m
     const std::vector<Eigen::Vector3d>& velocities;        ///< m/s
     const std::vector<std::vector<int>>& trianglesAround;  ///< indices of the triangles at each node
@@ -28,11 +29,11 @@ struct SheetPose {
     const std::vector<double>& filmMass;                   ///< kg, both faces together
     double poreCapacity;                                   ///< kg per m2 of cloth
     double wettingTime;                                    ///< of the fabric, s
-    Eigen::Vector3d up;  ///< unit vector against gravity; zero without gravity
-    double gravity;      ///< m/s2
-    double totalArea;    ///< of the cloth at rest, m2
-    const Shelter& shelter;
-    const void* body;  ///< address of its btSoftBody, for sources that know Bullet; null without one
+    Eigen::Vector3d up;      ///< unit vector against gravity; zero without gravity
+    double gravity;          ///< m/s2
+    double totalArea;        ///< of the cloth at rest, m2
+    const Shelter& shelter;  ///< what keeps rain off it
+    const void* body;        ///< address of its btSoftBody, for sources that know Bullet; null without one
     /// What `shareUnderWater` says where the cloth floats dry, 1; above 1 for cloth that sinks at once.
     double floatingShare = 1;
 
@@ -42,11 +43,11 @@ struct SheetPose {
 
 /// Share of a node that is under water at a depth, m, below the surface: it rises from 0 at 1 cm above to 1 at
 /// 1 cm below as 3 t^2 - 2 t^3, so that what floats lies still (assumed).
-double shareUnderWater(double depth);
+DRENCH_API double shareUnderWater(double depth);
 
 /// Where a source puts its water. Masses are kg, at least 0 and finite; nodes without cloth are not for
 /// watering. Anything else throws std::invalid_argument or std::out_of_range and leaves the sheet as it is.
-class Supply {
+class DRENCH_API Supply {
   public:
     virtual ~Supply() = default;
     /// Onto the faces of a node; arrives with a velocity, m/s, whose momentum the node takes up.
@@ -74,7 +75,7 @@ class Supply {
 /// Something that brings water. Derive from it for a source of your own: at the start of every step Drench
 /// calls `supply` with the time that passes and the sheet as it is, and writes down what it adds and takes in
 /// the account of its name.
-class Source {
+class DRENCH_API Source {
   public:
     virtual ~Source() = default;
     /// Name of its account in the ledger.

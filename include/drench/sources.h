@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <random>
 
+#include "drench/export.h"
 #include "drench/source.h"
 
 namespace drench {
@@ -15,7 +16,7 @@ namespace drench {
 /// fall; a ray from there against the fall tells whether a solid thing keeps it off, so that a step costs no
 /// more rays than drops. The same seed gives the same drops on one platform. Cloth stretched to over 1.5
 /// times its rest area catches no more than at that. Without gravity `intensity` is across the fall.
-class Rain final : public Source {
+class DRENCH_API Rain final : public Source {
   public:
     double intensity;  ///< on level ground, mm/h; 0 to 1000
     Eigen::Vector3d velocity = {
@@ -24,6 +25,7 @@ class Rain final : public Source {
     double dropMass = 4.2e-6;   ///< kg; 1e-8 to 1e-4; default 2 mm across
     int mostDrops = 500;        ///< in one step; beyond it drops grow heavier; 1 to 1e6
 
+    /// Rain of this `intensity`; another seed gives other drops.
     explicit Rain(double initialIntensity, std::uint32_t seed = 1);
     std::string name() const override { return "rain"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
@@ -40,7 +42,7 @@ class Rain final : public Source {
 /// at most `raysPerStep` nodes in turn and remembers the answers; until its first turn a node counts as in
 /// the open. A node is wetted if it lies in the cone itself: a cone that is narrower than the mesh is wide
 /// may pass between nodes.
-class Spray final : public Source {
+class DRENCH_API Spray final : public Source {
   public:
     Eigen::Vector3d origin;     ///< m
     Eigen::Vector3d direction;  ///< of the cone's axis; any length above 0
@@ -49,6 +51,7 @@ class Spray final : public Source {
     double speed = 5;           ///< of the water, m/s; 0 to 100
     int raysPerStep = 64;       ///< 1 to 1e6
 
+    /// A nozzle with these values of `origin`, `direction` and `rate`.
     Spray(const Eigen::Vector3d& initialOrigin, const Eigen::Vector3d& initialDirection, double initialRate);
     std::string name() const override { return "spray"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
@@ -83,24 +86,26 @@ class Spray final : public Source {
 /// back. A level that is changed rises or falls through still water. Drag and lift go by the body's time,
 /// wetting by the water's (SheetSettings::waterSpeed); with over some 1e4 of that, film and pores fill and empty
 /// within each step, and cloth in the pool trembles. Without gravity the pool does nothing.
-class Pool final : public Source {
+class DRENCH_API Pool final : public Source {
   public:
     /// Height of the surface, m; -1e9 to 1e9: its places are those whose scalar product with the way up, the
     /// unit vector against the gravity of the body's world info, is this.
     double level;
-    /// Least and greatest corner of its rectangle, m; -1e9 to 1e9, default everywhere. Its two sides are the
-    /// axes of the world without the one nearest to the way up, laid level: x and z where y is up, x and y
-    /// where z is up, y and z where x is up.
+    /// Least corner of its rectangle, m; -1e9 to 1e9, default everywhere. Its two sides are the axes of the world
+    /// without the one nearest to the way up, laid level: x and z where y is up, x and y where z is up, y and z
+    /// where x is up.
     Eigen::Vector2d from = Eigen::Vector2d::Constant(-1e9);
+    /// Greatest corner of the same, m.
     Eigen::Vector2d to = Eigen::Vector2d::Constant(1e9);
 
+    /// A pool with this `level`, everywhere.
     explicit Pool(double initialLevel) : level(initialLevel) {}
     std::string name() const override { return "pool"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
 };
 
 /// Grey values of a picture.
-struct Mask {
+struct DRENCH_API Mask {
     int width = 0;              ///< pixels, at least 1
     int height = 0;             ///< pixels, at least 1
     std::vector<float> values;  ///< 0 (black) to 1 (white), row by row from the top
@@ -114,10 +119,10 @@ struct Mask {
 /// Reads a picture (PNG and what else stb_image knows); colours become their luminance, as stored;
 /// transparent is black. At most 2^25 pixels.
 /// @throws std::runtime_error that names the file and says what is wrong with it
-Mask readMask(const std::filesystem::path& path);
+DRENCH_API Mask readMask(const std::filesystem::path& path);
 
 /// Water put on chosen places over a time.
-class Soak final : public Source {
+class DRENCH_API Soak final : public Source {
   public:
     /// Spreads `mass` kg over nodes, by their area at rest, each once, within `duration` s of water time; 0:
     /// all in the first step.
@@ -152,12 +157,13 @@ class Soak final : public Source {
 };
 
 /// A wet brush in space: wets the cloth within a radius, most in the middle. Move it with `centre`.
-class Brush final : public Source {
+class DRENCH_API Brush final : public Source {
   public:
     Eigen::Vector3d centre;  ///< m
     double radius;           ///< m; 1e-4 to 100
     double rate;             ///< in its middle, kg per s and m2 of cloth; 0 to 1000; falls to 0 at the radius
 
+    /// A brush with these values of `centre`, `radius` and `rate`.
     Brush(const Eigen::Vector3d& initialCentre, double initialRadius, double initialRate)
         : centre(initialCentre), radius(initialRadius), rate(initialRate) {}
     std::string name() const override { return "brush"; }

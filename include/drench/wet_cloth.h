@@ -14,6 +14,7 @@
 
 #include "drench/air.h"
 #include "drench/drop.h"
+#include "drench/export.h"
 #include "drench/fabric.h"
 #include "drench/ledger.h"
 #include "drench/moisture.h"
@@ -123,7 +124,7 @@ struct SheetHealth {
 /// thread that steps the world.
 ///
 /// Node indices are those of the body; each call that takes one throws std::out_of_range for one that is not there.
-class WetCloth {
+class DRENCH_API WetCloth {
   public:
     /// Attaches to a body, in the world or not yet in it.
     /// @param world   that the body is or will be in: a btSoftRigidDynamicsWorld, btSoftMultiBodyDynamicsWorld
@@ -146,7 +147,7 @@ class WetCloth {
     /// All of the sheet dries alike: at the speed of the wind, on average over the sheet, against the cloth's mean
     /// velocity, over a length that is the root of its area.
     Air& air();
-    const Air& air() const;
+    const Air& air() const;  ///< The same, to read.
 
     /// Says what a solid is to this cloth: how its friction coefficients depend on the water of each node, and
     /// whether wet cloth clings to it. Of a solid that nothing is said of, the friction coefficient is that on
@@ -276,7 +277,7 @@ class WetCloth {
     friend class Touch;
     void addSource(std::unique_ptr<Source> source);
 
-    struct Layer;
+    struct DRENCH_LOCAL Layer;
     std::shared_ptr<Layer> layer_;  // shared with none but those who watch whether it still is
 };
 

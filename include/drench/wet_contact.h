@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "drench/export.h"
 #include "drench/precision.h"
 #include "drench/source.h"
 #include "drench/wet_cloth.h"
@@ -17,7 +18,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// A collision object whose surface is wet. Where the sheet touches it (btSoftBody::m_rcontacts, in the
 /// deformable world m_nodeRigidContacts), the face between takes up a film of its own as thick as that on the
 /// body, with a time constant of 0.1 s (assumed). Contacts are those of the last substep.
-class WetBody final : public Source {
+class DRENCH_API WetBody final : public Source {
   public:
     double filmThickness = 0.1e-3;  ///< of the water on the body, m; 0 to 0.01
     double amount =
@@ -37,7 +38,7 @@ class WetBody final : public Source {
 /// passes between a node and the face that it touches until pores are equally full, with the slower of the two
 /// wetting times, and the films equally thick, with 0.1 s (both assumed). Faces that touch do not dry. Add it to
 /// one of the two.
-class Touch final : public Source {
+class DRENCH_API Touch final : public Source {
   public:
     /// @param other  sheet, in the same world; when it is gone, nothing passes any more
     explicit Touch(WetCloth& other);
@@ -45,7 +46,7 @@ class Touch final : public Source {
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
 
   private:
-    struct Exchange;
+    struct DRENCH_LOCAL Exchange;
     /// A node here and one there that touch.
     struct Pair {
         std::size_t here, there;

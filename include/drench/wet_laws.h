@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "drench/export.h"
 #include "drench/fabric.h"
 
 namespace drench {
@@ -20,7 +21,7 @@ struct AirDrag {
 };
 
 /// The laws of one fabric, ready to evaluate for each node.
-class WetLaws {
+class DRENCH_API WetLaws {
   public:
     /// @throws std::invalid_argument for a fabric out of range.
     explicit WetLaws(const Fabric& fabric);

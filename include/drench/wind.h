@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "drench/export.h"
+
 namespace drench {
 
 /// Moving air as a function of place and time. Derive from it for a wind of your own, such as that of a fan,
 /// and hand it to `Air::field`.
-class WindField {
+class DRENCH_API WindField {
   public:
     virtual ~WindField() = default;
 
@@ -40,7 +42,7 @@ class WindField {
 /// cloth, so that of a length scale below the size of the sheet it feels somewhat too much.
 ///
 /// Does not change once made: to change the wind, make another; the eddies then jump.
-class Gusts final : public WindField {
+class DRENCH_API Gusts final : public WindField {
   public:
     /// @param mean         velocity of the wind, m/s, up to 100; included in `velocity`, so leave `Air::wind` at 0
     /// @param intensity    standard deviation of each component over the mean speed, 1; 0 to 1. In open country

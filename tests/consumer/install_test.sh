@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Installs the library of a build folder ($3, of the sources in $2) with CMake ($1), moves it to a prefix ($4), and looks
+# whether it knows where it was made, and shows what is not in its headers.
+set -euo pipefail
+cmake=$1 sources=$2 build=$3 prefix=$4
+rm -rf "$prefix" "$prefix.made"
+"$cmake" --install "$build" --component library --prefix "$prefix.made"
+mv "$prefix.made" "$prefix"
+
+if grep -rnF -e "$sources" -e "$build" "$prefix" --include='*.cmake' --include='*.pc' --include='*.h'; then
+  echo "a file of the package names a place on the machine that built it"
+  exit 1
+fi
+
+library=$(find "$prefix" -name 'libdrench*.so' | head -n 1)
+[ -n "$library" ] || exit 0
+readelf -d "$library" | grep -q 'SONAME.*\.so\.[0-9]*\.[0-9]*\]' || { echo "$library has no SONAME"; exit 1; }
+
+# The names below namespace drench that the library shows, each by its first part.
+shown=$(nm -DC --defined-only "$library" | sed -nE 's/.* [TBDR] drench::((bullet_[a-z]+|fabrics)::)?([A-Za-z]+).*/\3/p' |
+  sort -u)
+for name in $shown; do
+  grep -rqE "DRENCH_API [^;]*\b$name\b" "$prefix/include/drench" || {
+    echo "$library shows drench::$name, which is no public name"
+    exit 1
+  }
+done
