@@ -15,3 +15,20 @@ set_target_properties(drench::bullet PROPERTIES IMPORTED_GLOBAL TRUE)
 # Reads pictures: masks for soaking.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(DRENCH_STB REQUIRED IMPORTED_TARGET GLOBAL stb)
+
+# Read and write the files of drench::files.
+if(DRENCH_BUILD_FILES)
+  find_package(nlohmann_json REQUIRED)
+  pkg_check_modules(DRENCH_TINYGLTF IMPORTED_TARGET GLOBAL tinygltf)
+  pkg_check_modules(DRENCH_TINYOBJLOADER IMPORTED_TARGET GLOBAL tinyobjloader_double)
+  if(NOT DRENCH_TINYGLTF_FOUND OR NOT DRENCH_TINYOBJLOADER_FOUND)
+    message(FATAL_ERROR "Drench: drench::files needs tinygltf and tinyobjloader (of doubles), which pkg-config does not "
+                        "find. Install libtinygltf-dev and libtinyobjloader-dev, or set -DDRENCH_BUILD_FILES=OFF and "
+                        "-DDRENCH_BUILD_DEMOS=OFF.")
+  endif()
+  # Its pkg-config file leaves out the definition that the header wants of whoever links the library of doubles.
+  target_compile_definitions(PkgConfig::DRENCH_TINYOBJLOADER INTERFACE TINYOBJLOADER_USE_DOUBLE)
+elseif(DRENCH_BUILD_DEMOS)
+  message(FATAL_ERROR "Drench: drench-demo needs drench::files; leave DRENCH_BUILD_FILES on, or set "
+                      "-DDRENCH_BUILD_DEMOS=OFF as well.")
+endif()

@@ -16,6 +16,16 @@ endif()
 install(TARGETS ${libraries} EXPORT ${DRENCH_PACKAGE}-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT ${DRENCH_PACKAGE}-targets NAMESPACE drench:: DESTINATION ${package_directory})
 
+# The library of files, apart: who does not use it needs nothing that it stands on.
+if(DRENCH_BUILD_FILES)
+  set(libraries drench_files)
+  if(BUILD_SHARED_LIBS)
+    list(APPEND libraries drench_files_static)
+  endif()
+  install(TARGETS ${libraries} EXPORT ${DRENCH_PACKAGE}-files-targets)
+  install(EXPORT ${DRENCH_PACKAGE}-files-targets NAMESPACE drench:: DESTINATION ${package_directory})
+endif()
+
 # For CMake.
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/drench-config.cmake.in ${DRENCH_PACKAGE}-config.cmake
   INSTALL_DESTINATION ${package_directory} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)

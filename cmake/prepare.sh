@@ -44,6 +44,7 @@ build_in() {
 }
 
 build_packages=(g++ make cmake ninja-build pkg-config libbullet-dev libeigen3-dev libglfw3-dev libepoxy-dev
-  libegl-dev libgl-dev libimgui-dev libstb-dev libcli11-dev nlohmann-json3-dev)
+  libegl-dev libgl-dev libimgui-dev libstb-dev libcli11-dev nlohmann-json3-dev
+  libtinygltf-dev libtinyobjloader-dev)
 # What a picture needs at run time: Mesa's drivers for windows and for no window, and a font for captions.
 picture_packages=(libegl1 libgl1 libegl-mesa0 libgl1-mesa-dri fonts-dejavu-core)

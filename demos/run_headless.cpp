@@ -12,6 +12,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "exporter.h"
+#include "files/whole_file.h"
 #include "film.h"
 #include "frame_name.h"
 #include "picture_size.h"
@@ -22,7 +24,6 @@
 #include "viewer/image.h"
 #include "viewer/offscreen_context.h"
 #include "viewer/renderer.h"
-#include "files/whole_file.h"
 
 namespace drench::demo {
 
@@ -164,6 +165,10 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     std::unique_ptr<Film> film;
     if (!options.record.empty()) film = std::make_unique<Film>(options.record, std::max(1, options.every));
 
+    std::unique_ptr<Exporter> exporter;
+    if (!options.exported.empty())
+        exporter = std::make_unique<Exporter>(options.exported, options.every > 0 ? options.every : 4);
+
     ProgressLine progress;
     WaterLog log(scene);
     for (int frame = 1; !scene.finished(); ++frame) {
@@ -171,6 +176,7 @@ int runHeadless(Scene& scene, const RunOptions& options) {
         log.note(scene);
         progress.show(scene);
         if (film) film->add(scene.picture(options.view));
+        if (exporter) exporter->add(scene);
         if (!album) continue;
         if (const auto moment = scene.moment())
             scene.noteDrawTime(album->add(scene.picture(options.view), *moment));
@@ -187,8 +193,10 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     if (album) album->writeContactSheet();
 
     const int status = judge(scene, options);
-    if (film && !film->finish()) return 2;
-    return album && !album->isWhole() ? 2 : status;
+    bool isWhole = !album || album->isWhole();
+    if (film) isWhole = film->finish() && isWhole;
+    if (exporter) isWhole = exporter->finish() && isWhole;
+    return isWhole ? status : 2;
 }
 
 void checkTargets(const RunOptions& options) {
@@ -199,6 +207,7 @@ void checkTargets(const RunOptions& options) {
     if (!options.saved.empty()) files::checkWritable(options.saved);
     if (!options.frames.empty()) files::checkWritable(options.frames / "picture.png");
     if (!options.record.empty()) Recorder::check(options.record);
+    if (!options.exported.empty()) files::checkWritable(options.exported);
 }
 
 void writeDrawings(const RunOptions& options, const Scene& scene) {

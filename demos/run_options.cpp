@@ -1,9 +1,11 @@
 #include "run_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 
+#include "exporter.h"
 #include "scene_file.h"
 
 namespace drench::demo {
@@ -40,6 +42,33 @@ CLI::Validator namesSomething() {
             return std::string(text.empty() ? "give a name; this one is empty" : "");
         },
         "NAME");
+}
+
+/// A file whose ending says what it is to be.
+CLI::Validator endsLike(const std::vector<std::string>& endings) {
+    std::string all;
+    for (const std::string& ending : endings) all += (all.empty() ? "" : " or ") + ending;
+    return CLI::Validator(
+        [=](const std::string& text) {
+            const std::string ending = std::filesystem::path(text).extension().string();
+            const bool isKnown = std::find(endings.begin(), endings.end(), ending) != endings.end();
+            return isKnown ? std::string() : "give a name that ends in " + all + ", not '" + text + "'";
+        },
+        all);
+}
+
+/// A ready fabric, or a fabric file that can be read.
+CLI::Validator namesFabric() {
+    return CLI::Validator(
+        [](const std::string& text) -> std::string {
+            try {
+                fabricDescription(text);
+                return "";
+            } catch (const std::exception& problem) {
+                return problem.what();
+            }
+        },
+        "NAME or FILE.json");
 }
 
 View viewOf(const std::string& name) {
@@ -100,9 +129,11 @@ OwnChoices addSceneOptions(CLI::App& app, RunOptions& run, Words& words) {
     app.add_option("--resolution", run.sceneOptions.resolution, "nodes along the warp [the scene's own]")
         ->check(CLI::Range(8, 512));
     const CLI::Option* const fabric =
-        app.add_option("--fabric", run.sceneOptions.fabric,
-                       "the cloth [cotton; slide: polyester; as in a scene file]")
-            ->check(CLI::IsMember(fabrics::names()));
+        app.add_option(
+               "--fabric", run.sceneOptions.fabric,
+               "the cloth [cotton; slide: polyester; as in a scene file]: cotton, polyester, tropical, "
+               "wool, linen, silk, nylon, denim, jersey, or a fabric file; see docs/files.md")
+            ->check(namesFabric());
     app.add_option("--solver", words.solver,
                    "what moves the sheets: Drench's small steps, or stock Bullet's solver in many substeps "
                    "[small-step]")
@@ -131,10 +162,13 @@ void addOutputOptions(CLI::App& app, RunOptions& run, Words& words) {
         ->check(CLI::IsMember({"beauty", "content", "film", "strain"}));
     app.add_option("--record", run.record, "make a film of the run, such as out.mp4, with ffmpeg")
         ->check(namesSomething());
+    app.add_option("--export", run.exported,
+                   "without a window: the sheets frame by frame, as an animation (FILE.glb), or as numbered "
+                   "meshes (FILE.obj) or tables of their nodes (FILE.csv); see docs/files.md")
+        ->check(endsLike(exportEndings()));
     app.add_option("--every", run.every,
                    "a picture each so many frames of 1/60 s [the scene's own moments]; without a window, "
-                   "also of a film "
-                   "[each frame]")
+                   "also of a film [each frame] and of what is exported [each fourth]")
         ->check(CLI::Range(1, 1000000));
 }
 
@@ -167,6 +201,8 @@ ParsedOptions parseOptions(int argc, char** argv) {
         choose(run.sceneOptions, words.solver, words.world);
         run.sceneOptions.water = !words.dry;
         run.view = viewOf(words.view);
+        if (!run.exported.empty() && !run.headless)
+            throw CLI::ValidationError("--export", "a window exports nothing; add --headless");
         if (words.list) {
             listScenes();
             parsed.exitStatus = 0;

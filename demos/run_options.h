@@ -26,7 +26,9 @@ struct RunOptions {
     double speed = 1;        ///< simulated time over wall time, in the window, at most; 0: as fast as it can
     bool quitAtEnd = false;  ///< closes the window when the scene has come to its end
     std::filesystem::path record;  ///< film to make; empty: none
-    bool timings = false;          ///< says when the first picture came, and how many a second
+    std::filesystem::path
+        exported;          ///< what the sheets go into, frame by frame: .glb, .obj or .csv; empty: nothing
+    bool timings = false;  ///< says when the first picture came, and how many a second
     std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();  ///< of the program
     int every = 0;  ///< a picture each so many frames; 0: at the scene's own moments
 };

@@ -19,7 +19,7 @@ SceneDescription describedNow(Scene& scene);
 void writeScene(const RunOptions& options, Scene& scene);
 
 /// Runs a scene to its end without a window: progress on stderr, the result on stdout and in files.
-/// @return the exit status: 0, 1 if the scene's check fails, or 2 if its film is not whole
+/// @return the exit status: 0, 1 if the scene's check fails, or 2 if pictures, its film or what it exports is not whole
 int runHeadless(Scene& scene, const RunOptions& options);
 
 /// Makes the scene that the options name and runs it in a window until that is closed.

@@ -20,7 +20,7 @@ namespace drench::demo {
 
 /// What the command line says about a scene.
 struct SceneOptions {
-    std::string fabric = "cotton";  ///< a name of fabrics::names(); empty: the scene's own
+    std::string fabric = "cotton";  ///< as for `fabricDescription`; empty: the scene's own
     int resolution = 0;             ///< nodes along the warp of each sheet; 0: the scene's own
     double seconds = 0;             ///< simulated time after which it ends; 0: the scene's own
     unsigned seed = 1;              ///< of whatever the scene draws by lot

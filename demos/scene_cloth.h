@@ -36,7 +36,8 @@ class SceneCloth {
     const SheetDescription& madeFrom() const { return description_; }
     /// Whether its fabric is that ready one.
     bool isMadeOf(const std::string& preset) const {
-        return description_.fabric.like == preset && description_.fabric.changes.empty();
+        return description_.fabric.like == preset && description_.fabric.changes.empty() &&
+               !description_.fabric.construction;
     }
 
     /// Rate at which it loses velocity, 1/s.

@@ -1,6 +1,9 @@
 #include "scene_description.h"
 
+#include <drench/files/fabric_file.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 namespace drench::demo {
@@ -19,8 +22,24 @@ Fabric FabricDescription::fabric() const {
             throw std::invalid_argument("fabrics have no parameter '" + parameterName + "'");
         made.*(found->member) = value;
     }
+    if (construction) made.construction = *construction;
     validate(made);
     return made;
+}
+
+FabricDescription fabricDescription(const std::string& nameOrFile) {
+    FabricDescription description;
+    if (std::filesystem::path(nameOrFile).extension() != ".json") {
+        fabrics::byName(nameOrFile);
+        description.like = nameOrFile;
+        return description;
+    }
+    const Fabric fabric = readFabric(nameOrFile);
+    description.name = fabric.name;
+    description.construction = fabric.construction;
+    for (const FabricParameter& parameter : fabricParameters())
+        description.changes.emplace_back(parameter.name, fabric.*parameter.member);
+    return description;
 }
 
 SolidDescription solidNamed(const SceneDescription& scene, const std::string& name) {

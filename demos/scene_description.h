@@ -46,12 +46,17 @@ struct SolverDescription {
 struct FabricDescription {
     std::string like = "cotton";  ///< a name of `fabrics::names()`
     std::string name;             ///< empty: that of the ready fabric
-    std::vector<std::pair<std::string, double>>
+    std::vector<std::pair<std::string, Quantity>>
         changes;  ///< parameters by their names in `fabricParameters()`
+    std::optional<Construction> construction = std::nullopt;  ///< none: that of the ready fabric
 
     /// @throws std::invalid_argument for a name that is not there or a value out of range
     Fabric fabric() const;
 };
+
+/// The fabric that the command line means: a name of `fabrics::names()`, or a fabric file, whose name ends in .json.
+/// @throws std::invalid_argument for another name; std::runtime_error for a file that cannot be read
+FabricDescription fabricDescription(const std::string& nameOrFile);
 
 /// One node of a sheet that is held, or a row of them.
 struct Pin {

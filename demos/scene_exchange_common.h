@@ -7,9 +7,15 @@
 #include <type_traits>
 
 #include "angles.h"
-#include "scene_fields.h"
+#include "files/json_fields.h"
 
 namespace drench::demo {
+
+using files::FieldReader;
+using files::FieldWriter;
+using files::Names;
+using files::Range;
+using files::shown;
 
 inline constexpr Range places{-1e4, 1e4};      // m
 inline constexpr Range directions{-1e6, 1e6};  // of vectors whose length does not count

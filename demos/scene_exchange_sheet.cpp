@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "files/fabric_fields.h"
 #include "scene_exchange_common.h"
 
 namespace drench::demo {
@@ -17,13 +18,12 @@ void exchangeFabric(FieldReader& fields, FabricDescription& fabric) {
     if (!found->is_object()) return fields.choice("fabric", fabric.like, presets);
     fields.object("fabric", [&](FieldReader& inner) {
         inner.choice("like", fabric.like, presets);
-        inner.name("name", fabric.name);
+        inner.text("name", fabric.name);
+        if (inner.any("construction")) files::readConstruction(inner, fabric.construction.emplace());
         for (const FabricParameter& parameter : fabricParameters()) {
-            const std::string key(parameter.name);
-            double value = 0;
-            if (!inner.any(key)) continue;
-            inner.number(key, value, {parameter.minimum, parameter.maximum});
-            fabric.changes.emplace_back(key, value);
+            Quantity value;
+            if (files::readQuantity(inner, parameter, value))
+                fabric.changes.emplace_back(parameter.name, value);
         }
     });
     try {
@@ -34,10 +34,14 @@ void exchangeFabric(FieldReader& fields, FabricDescription& fabric) {
 }
 
 void exchangeFabric(FieldWriter& fields, const FabricDescription& fabric) {
-    if (fabric.name.empty() && fabric.changes.empty()) return fields.put("fabric", fabric.like);
+    if (fabric.name.empty() && fabric.changes.empty() && !fabric.construction)
+        return fields.put("fabric", fabric.like);
     nlohmann::ordered_json object = {{"like", fabric.like}};
     if (!fabric.name.empty()) object["name"] = fabric.name;
-    for (const auto& [name, value] : fabric.changes) object[name] = value;
+    if (fabric.construction) object["construction"] = toString(*fabric.construction);
+    for (const FabricParameter& parameter : fabricParameters())
+        for (const auto& [name, value] : fabric.changes)
+            if (name == parameter.name) object[name] = files::quantityJson(parameter, value);
     fields.put("fabric", object);
 }
 

@@ -1,38 +1,16 @@
 #include "scene_file.h"
 
-#include <fstream>
 #include <stdexcept>
 
-#include "scene_exchange.h"
-#include "scene_json.h"
+#include "files/json_text.h"
 #include "files/whole_file.h"
+#include "scene_exchange.h"
 
 namespace drench::demo {
 
-namespace {
-
-/// All of a file that is no larger than a scene file may be.
-std::string contentsOf(const std::filesystem::path& path) {
-    std::error_code problem;
-    if (!std::filesystem::exists(path, problem)) throw std::invalid_argument("there is no such file");
-    if (!std::filesystem::is_regular_file(path, problem)) throw std::invalid_argument("it is no file");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw std::invalid_argument("it cannot be opened");
-    const std::uintmax_t size = std::filesystem::file_size(path, problem);
-    if (problem || size > JsonLimits().bytes)
-        throw std::invalid_argument("it has more than " + std::to_string(JsonLimits().bytes >> 20) + " MB");
-    std::string contents(static_cast<std::size_t>(size), '\0');
-    file.read(contents.data(), static_cast<std::streamsize>(contents.size()));
-    if (file.bad()) throw std::invalid_argument("it cannot be read");
-    contents.resize(static_cast<std::size_t>(file.gcount()));
-    return contents;
-}
-
-}  // namespace
-
 SceneDescription readScene(std::string_view text) {
-    const nlohmann::json json = parseJson(text);
-    FieldReader fields(json, "");
+    const nlohmann::json json = files::parseJson(text);
+    files::FieldReader fields(json, "");
     SceneDescription scene;
     exchange(fields, scene);
     fields.finish();
@@ -40,15 +18,15 @@ SceneDescription readScene(std::string_view text) {
 }
 
 std::string sceneText(const SceneDescription& description) {
-    FieldWriter fields;
+    files::FieldWriter fields;
     SceneDescription scene = description;
     exchange(fields, scene);
-    return prettyText(fields.result());
+    return files::prettyText(fields.result());
 }
 
 SceneDescription loadScene(const std::filesystem::path& path) {
     try {
-        return readScene(contentsOf(path));
+        return readScene(files::readWhole(path, files::JsonLimits().bytes));
     } catch (const std::invalid_argument& problem) {
         throw std::runtime_error("scene file " + path.string() + ": " + problem.what());
     }

@@ -24,7 +24,7 @@ void setResolution(SheetDescription& sheet, int nodesWarp) {
 
 SceneDescription fitted(SceneDescription description, const SceneOptions& options) {
     for (SheetDescription& sheet : description.sheets) {
-        if (!options.fabric.empty()) sheet.fabric = {options.fabric, {}, {}};
+        if (!options.fabric.empty()) sheet.fabric = fabricDescription(options.fabric);
         if (options.resolution > 0 && options.resolution != sheet.nodes[0])
             setResolution(sheet, options.resolution);
     }

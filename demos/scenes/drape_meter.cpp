@@ -88,7 +88,7 @@ double speed(const SceneCloth& disc) {
 DrapeMeter::DrapeMeter(const SceneOptions& options)
     : StagedScene(described(options), {0, 0}), isTropical_(options.fabric == "tropical") {
     const SceneDescription scene = described(options);
-    const Fabric fabric = fabrics::byName(options.fabric.empty() ? "cotton" : options.fabric);
+    const Fabric fabric = fabricDescription(options.fabric.empty() ? "cotton" : options.fabric).fabric();
     addDisc("dry", 0, fabric, scene, nodesAcross(options));
     addDisc("wet", scene.water ? 1 : 0, fabric, scene, nodesAcross(options));
 }

@@ -16,6 +16,7 @@
 #include "drench/sources.h"
 #include "drench/step_times.h"
 #include "drench/surface.h"
+#include "drench/triangle_mesh.h"
 #include "drench/water.h"
 #include "drench/wet_cloth.h"
 #include "drench/wet_contact.h"

@@ -1,16 +1,18 @@
-// A rectangular cloth as a btSoftBody.
+// Cloth as a btSoftBody: rectangles, and any mesh.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "drench/export.h"
 #include "drench/fabric.h"
 #include "drench/precision.h"
+#include "drench/triangle_mesh.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -46,6 +48,30 @@ DRENCH_API Corners flatCorners(const btVector3& origin, const btVector3& warpSid
 ///     not finite or leave a face without area.
 DRENCH_API std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
                                                  const Corners& corners, int nodesWarp, int nodesWeft);
+
+/// Makes a body of any mesh, node by vertex and face by triangle, at rest as the mesh is.
+///
+/// Links: along each side of the triangles, and across each side that is the second diagonal of a nearly flat cell, as
+/// from a quad, so that it shears as woven cloth does: a side of two triangles, by a tenth the longest of both. They
+/// are ordered in colours. Masses, margin, friction and voxel size are as in the other `makeSheet`, with the mean link
+/// in place of a cell. There are no links for bending, which the SmallStepSolver and the deformable world do without; with
+/// the stock solver such a sheet bends freely.
+///
+/// A mesh that is not flat wants SheetSettings::faceCoordinates: of `wrappedCoordinates` or `texturedCoordinates`.
+/// @param worldInfo  of the world that the sheet goes into; must outlive it
+/// @return the body; the application adds it to its world, and removes it before it lets go
+/// @throws std::invalid_argument for a fabric out of range, a mesh that `validate` refuses, or a triangle whose area
+///     is 0 in Bullet's precision
+DRENCH_API std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
+                                                 const TriangleMesh& mesh);
+
+/// Holds nodes where they are: their inverse masses become 0.
+/// @throws std::out_of_range for a node that is not there; none is then held
+DRENCH_API void pin(btSoftBody& body, const std::vector<int>& nodes);
+
+/// Holds the nodes whose positions, m, a function says yes to. @return their indices
+DRENCH_API std::vector<int> pinWhere(btSoftBody& body,
+                                     const std::function<bool(const btVector3& position)>& isPinned);
 
 /// Material coordinates for cloth that is wrapped around something, as a sleeve is, for
 /// SheetSettings::faceCoordinates: each face is laid flat as it is now, the weft along `axis` as far as it

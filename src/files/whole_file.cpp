@@ -69,4 +69,29 @@ void writeWhole(const fs::path& name, std::string_view contents) {
     refuse(path, "is the disk full, or the name too long?");
 }
 
+std::string readWhole(const fs::path& path, std::size_t mostBytes) {
+    std::error_code problem;
+    if (!fs::exists(path, problem)) {
+        throw std::invalid_argument("there is no such file");
+    }
+    if (!fs::is_regular_file(path, problem)) {
+        throw std::invalid_argument("it is no file");
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        throw std::invalid_argument("it cannot be opened");
+    }
+    const std::uintmax_t size = fs::file_size(path, problem);
+    if (problem || size > mostBytes) {
+        throw std::invalid_argument("it has more than " + std::to_string(mostBytes >> 20) + " MB");
+    }
+    std::string contents(static_cast<std::size_t>(size), '\0');
+    file.read(contents.data(), static_cast<std::streamsize>(contents.size()));
+    if (file.bad()) {
+        throw std::invalid_argument("it cannot be read");
+    }
+    contents.resize(static_cast<std::size_t>(file.gcount()));
+    return contents;
+}
+
 }  // namespace drench::files

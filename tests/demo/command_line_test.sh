@@ -54,6 +54,22 @@ expect 0 'check passed' drape --headless --seconds 0.2 --resolution 12 --csv "$f
 exists "$folder/new/drape.csv" "$folder/frames/frame-000005.png" "$folder/frames/frame-000010.png" \
   "$folder/frames/contact-sheet.png"
 
+# What is exported: an animation, numbered meshes and tables; and a fabric of a file.
+expect 0 'check passed' drape --headless --seconds 0.2 --resolution 12 --export "$folder/new/run.glb"
+[ "$(head -c 4 "$folder/new/run.glb")" = glTF ] || { echo "run.glb is no binary glTF"; failed=1; }
+expect 0 'check passed' drape --headless --seconds 0.2 --resolution 12 --every 6 --export "$folder/mesh/cloth.obj"
+exists "$folder/mesh/cloth.0001.obj" "$folder/mesh/cloth.0002.obj"
+echo '{"like": "wool", "name": "loden", "thickness": {"value": 2, "unit": "mm"}}' >"$folder/loden.json"
+expect 0 'check passed' drape --headless --seconds 0.2 --resolution 12 --fabric "$folder/loden.json" --every 12 \
+  --export "$folder/mesh/cloth.csv" --save-scene "$folder/loden-scene.json"
+exists "$folder/mesh/cloth.0001.csv"
+grep -q '"name": "loden"' "$folder/loden-scene.json" || { echo "the saved scene has not got its fabric"; failed=1; }
+expect 2 'add --headless' drape --export "$folder/run.glb"
+expect 2 'ends in .glb or .obj or .csv' drape --headless --export "$folder/run.gltf"
+expect 2 '/proc/no/run.glb' drape --headless --seconds 0.1 --resolution 8 --export /proc/no/run.glb
+echo '{"like": "wool", "thicknes": 0.002}' >"$folder/loden.json"
+expect 2 'loden.json: thicknes is no key.*did you mean thickness' drape --headless --fabric "$folder/loden.json"
+
 # Scene files: one runs, is saved as it is at the end, and runs on; the others say what is wrong with them.
 cat >"$folder/towel.json" <<'END'
 {"name": "towel", "weather": {"rain": 60, "windSpeed": 2},

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "described_scene.h"
-#include "scene_json.h"
+#include "files/json_text.h"
 #include "scenes/scene_texts.h"
 #include "stage.h"
 

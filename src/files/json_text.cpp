@@ -1,11 +1,11 @@
-#include "scene_json.h"
+#include "files/json_text.h"
 
 #include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <vector>
 
-namespace drench::demo {
+namespace drench::files {
 
 namespace {
 
@@ -156,4 +156,4 @@ std::string prettyText(const nlohmann::ordered_json& value) {
     return text + '\n';
 }
 
-}  // namespace drench::demo
+}  // namespace drench::files

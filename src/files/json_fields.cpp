@@ -1,9 +1,11 @@
-#include "scene_fields.h"
+#include "files/json_fields.h"
 
 #include <algorithm>
 #include <stdexcept>
 
-namespace drench::demo {
+#include "files/nearest_name.h"
+
+namespace drench::files {
 
 namespace {
 
@@ -128,10 +130,17 @@ void FieldReader::places(const std::string& key, std::vector<Eigen::Vector3d>& v
 }
 
 void FieldReader::finish() const {
-    std::string known;
-    for (const std::string& key : known_) known += (known.empty() ? "" : ", ") + key;
     for (const auto& [key, value] : object_.items())
-        if (known_.count(key) == 0) refuse(shownKey(key), "is no key of this object; there are " + known);
+        if (known_.count(key) == 0) refuseUnknown(key);
+}
+
+void FieldReader::refuseUnknown(const std::string& key) const {
+    const std::vector<std::string> names(known_.begin(), known_.end());
+    std::string known;
+    for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+    const auto nearest = nearestName(key, names);
+    refuse(shownKey(key), "is no key of this object; " +
+                              (nearest ? "did you mean " + *nearest + "? There are " : "there are ") + known);
 }
 
 void FieldWriter::places(const std::string& key, const std::vector<Eigen::Vector3d>& values, const Range&) {
@@ -140,4 +149,4 @@ void FieldWriter::places(const std::string& key, const std::vector<Eigen::Vector
     object_[key] = flat;
 }
 
-}  // namespace drench::demo
+}  // namespace drench::files

@@ -1,4 +1,4 @@
-// The fields of a scene file, read and written by the same code.
+// The fields of a JSON object, read and written by the same code.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "scene_json.h"
+#include "files/json_text.h"
 
-namespace drench::demo {
+namespace drench::files {
 
 /// From the least to the greatest value that a number may have.
 struct Range {
@@ -22,7 +22,7 @@ struct Range {
 template <typename Value>
 using Names = std::vector<std::pair<std::string, Value>>;
 
-/// An object of a scene file, read key by key: what is not there leaves its value as it is. Every call throws
+/// An object, read key by key: what is not there leaves its value as it is. Every call throws
 /// std::invalid_argument that names the key by its path, says what is wrong with its value and what may be given.
 class FieldReader {
   public:
@@ -63,6 +63,7 @@ class FieldReader {
     /// The number at a place in a list.
     double numberAt(const nlohmann::json& list, std::size_t place, const std::string& key,
                     const Range& range) const;
+    [[noreturn]] void refuseUnknown(const std::string& key) const;
     void checkList(const std::string& key, const nlohmann::json& value, const char* of) const;
 
     const nlohmann::json& object_;
@@ -182,4 +183,4 @@ void FieldWriter::list(const std::string& key, std::vector<Entry>& entries, Func
     object_[key] = std::move(list);
 }
 
-}  // namespace drench::demo
+}  // namespace drench::files

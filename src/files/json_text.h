@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace drench::demo {
+namespace drench::files {
 
-/// Bounds on the text of a scene file, so that none can exhaust the machine.
+/// Bounds on a text, so that none can exhaust the machine.
 struct JsonLimits {
     std::size_t bytes = 64u << 20;    ///< of the text
     int depth = 16;                   ///< of lists and objects in each other
@@ -25,4 +25,4 @@ std::string shownKey(const std::string& key);
 /// Text with a line for each key; lists of plain values stay on one line.
 std::string prettyText(const nlohmann::ordered_json& value);
 
-}  // namespace drench::demo
+}  // namespace drench::files

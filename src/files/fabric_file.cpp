@@ -1,0 +1,103 @@
+#include "drench/files/fabric_file.h"
+
+#include <stdexcept>
+
+#include "files/fabric_fields.h"
+#include "files/json_text.h"
+#include "files/whole_file.h"
+
+namespace drench {
+
+namespace {
+
+using files::FieldReader;
+
+constexpr files::JsonLimits limits{1u << 20, 8, 10'000};
+
+/// The fabric that the values of a file change; none if all of them must be there.
+bool readBase(FieldReader& fields, Fabric& fabric) {
+    files::Names<std::string> presets;
+    for (const std::string& preset : fabrics::names()) presets.emplace_back(preset, preset);
+    std::string like;
+    fields.choice("like", like, presets);
+    if (like.empty()) {
+        fabric.name = "fabric";
+        return false;
+    }
+    fabric = fabrics::byName(like);
+    return true;
+}
+
+void readParameters(FieldReader& fields, Fabric& fabric, bool hasBase) {
+    for (const FabricParameter& parameter : fabricParameters())
+        if (!files::readQuantity(fields, parameter, fabric.*parameter.member) && !hasBase)
+            fields.refuse(std::string(parameter.name),
+                          "is missing; give it, in " + std::string(parameter.unit) +
+                              ", or say with \"like\" which ready fabric has the rest");
+}
+
+/// @throws std::invalid_argument that says what is wrong
+Fabric parsed(std::string_view text) {
+    const nlohmann::json json = files::parseJson(text, limits);
+    FieldReader fields(json, "");
+    Fabric fabric;
+    fields.any("$schema");
+    const bool hasBase = readBase(fields, fabric);
+    fields.text("name", fabric.name);
+    files::readConstruction(fields, fabric.construction);
+    // A key that is mistyped is said to be so, and not that the one which was meant is missing.
+    for (const FabricParameter& parameter : fabricParameters()) fields.any(std::string(parameter.name));
+    fields.finish();
+    readParameters(fields, fabric, hasBase);
+    validate(fabric);
+    return fabric;
+}
+
+/// What is wrong, where it is, and nothing before it.
+std::string reasonOf(const std::invalid_argument& problem) {
+    const std::string what = problem.what(), library = "drench: ";
+    return what.rfind(library, 0) == 0 ? what.substr(library.size()) : what;
+}
+
+nlohmann::ordered_json fabricJson(const Fabric& fabric) {
+    nlohmann::ordered_json json = {{"name", fabric.name}, {"construction", toString(fabric.construction)}};
+    for (const FabricParameter& parameter : fabricParameters())
+        json[std::string(parameter.name)] = files::quantityJson(parameter, fabric.*parameter.member);
+    return json;
+}
+
+}  // namespace
+
+Fabric fabricFromText(std::string_view text) {
+    try {
+        return parsed(text);
+    } catch (const std::invalid_argument& problem) {
+        throw std::invalid_argument("drench: fabric text: " + reasonOf(problem));
+    }
+}
+
+std::string fabricText(const Fabric& fabric) {
+    validate(fabric);
+    try {
+        std::string text = files::prettyText(fabricJson(fabric));
+        fabricFromText(text);
+        return text;
+    } catch (const nlohmann::json::exception&) {
+        throw std::invalid_argument(
+            "drench: the name or a source of a fabric is no UTF-8 text; JSON can hold no other");
+    }
+}
+
+Fabric readFabric(const std::filesystem::path& path) {
+    try {
+        return parsed(files::readWhole(path, limits.bytes));
+    } catch (const std::invalid_argument& problem) {
+        throw std::runtime_error("drench: fabric file " + path.string() + ": " + reasonOf(problem));
+    }
+}
+
+void writeFabric(const std::filesystem::path& path, const Fabric& fabric) {
+    files::writeWhole(path, fabricText(fabric));
+}
+
+}  // namespace drench

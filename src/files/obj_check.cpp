@@ -1,0 +1,159 @@
+#include "files/obj_check.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace drench::files {
+
+namespace {
+
+constexpr long mostVertices = 1'000'000;
+
+/// Words of a line, one after the other.
+class Words {
+  public:
+    explicit Words(std::string_view line) : rest_(line) {}
+
+    /// Empty at the end, and where a comment begins.
+    std::string_view next() {
+        constexpr const char* blanks = " \t";
+        const std::size_t from = rest_.find_first_not_of(blanks);
+        if (from == std::string_view::npos || rest_[from] == '#') return rest_ = {};
+        rest_.remove_prefix(from);
+        const std::string_view word = rest_.substr(0, rest_.find_first_of(blanks));
+        rest_.remove_prefix(word.size());
+        return word;
+    }
+
+  private:
+    std::string_view rest_;
+};
+
+std::string quoted(std::string_view word) {
+    constexpr std::size_t longest = 30;
+    std::string text;
+    for (const char c : word.substr(0, longest)) text += c > ' ' && c < 127 ? c : '?';
+    return '\'' + text + (word.size() > longest ? "...'" : "'");
+}
+
+template <typename Number>
+bool isRead(std::string_view word, Number& number) {
+    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), number);
+    return problem == std::errc() && end == word.data() + word.size();
+}
+
+class Check {
+  public:
+    explicit Check(const MeshReading& reading) : reading_(reading) {}
+
+    void line(std::string_view text) {
+        ++line_;
+        Words words(text);
+        const std::string_view kind = words.next();
+        if (kind == "v") {
+            numbers(words, "a vertex", 3, reading_.scale);
+            if (++vertices_ > mostVertices)
+                refuse("there are more than a million vertices; give a coarser mesh");
+        } else if (kind == "vt") {
+            numbers(words, "a texture coordinate", reading_.texture ? 2 : 1, 1);
+            ++textures_;
+        } else if (kind == "f") {
+            face(words);
+        }
+    }
+
+    void finish() const {
+        if (faces_ == 0)
+            throw std::invalid_argument(
+                "it has no faces (lines that begin with f); cloth needs at least one");
+    }
+
+  private:
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw std::invalid_argument("line " + std::to_string(line_) + ": " + what);
+    }
+
+    void numbers(Words& words, const char* what, int wanted, double scale) const {
+        constexpr double furthest = 1e6;
+        for (int i = 0; i < wanted; ++i) {
+            const std::string_view word = words.next();
+            double number = 0;
+            if (word.empty())
+                refuse(std::string(what) + " has " + std::to_string(i) + " numbers; give " +
+                       std::to_string(wanted));
+            if (!isRead(word, number) || !(std::abs(number * scale) <= furthest)) {
+                std::ostringstream most;
+                most << furthest / scale;
+                refuse(std::string(what) + " has the number " + quoted(word) +
+                       "; give finite numbers from -" + most.str() + " to " + most.str());
+            }
+        }
+    }
+
+    void face(Words& words) {
+        constexpr int mostCorners = 1000;
+        int corners = 0;
+        for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+            if (++corners > mostCorners)
+                refuse("a face has more than 1000 corners; cut it into smaller ones");
+            corner(word);
+        }
+        if (corners < 3) refuse("a face has " + std::to_string(corners) + " corners; give at least 3");
+        ++faces_;
+    }
+
+    /// 3, 3/1, 3/1/2 or 3//2; negative ones count back from the last.
+    void corner(std::string_view word) const {
+        const std::size_t slash = word.find('/');
+        index(word, word.substr(0, slash), vertices_, "vertices");
+        std::string_view texture = slash == std::string_view::npos ? "" : word.substr(slash + 1);
+        texture = texture.substr(0, texture.find('/'));
+        if (!texture.empty()) index(word, texture, textures_, "texture coordinates");
+        if (texture.empty() && reading_.texture)
+            refuse("the corner " + quoted(word) +
+                   " has no texture coordinate; read the file without them, or give each corner one");
+    }
+
+    void index(std::string_view corner, std::string_view word, long count, const char* of) const {
+        long number = 0;
+        if (isRead(word, number) && number != 0 && number <= count && number >= -count) return;
+        refuse("a face has the corner " + quoted(corner) + "; there are " + std::to_string(count) + ' ' + of +
+               " before it, counted from 1, or from -1 backwards");
+    }
+
+    const MeshReading& reading_;
+    long line_ = 0, vertices_ = 0, textures_ = 0, faces_ = 0;
+};
+
+}  // namespace
+
+void checkObj(std::string_view text, const MeshReading& reading) {
+    Check check(reading);
+    while (!text.empty()) {
+        const std::size_t end = text.find_first_of("\r\n");
+        check.line(text.substr(0, end));
+        const bool isTwo = text.substr(std::min(end, text.size()), 2) == "\r\n";
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + (isTwo ? 2 : 1));
+    }
+    check.finish();
+}
+
+std::string withoutComments(std::string_view text) {
+    std::string kept;
+    kept.reserve(text.size());
+    bool inComment = false;
+    for (const char c : text) {
+        const bool isFree =
+            kept.empty() || std::string_view(" \t\r\n").find(kept.back()) != std::string_view::npos;
+        inComment = c != '\r' && c != '\n' && (inComment || (c == '#' && isFree));
+        if (!inComment) kept += c;
+    }
+    return kept;
+}
+
+}  // namespace drench::files
