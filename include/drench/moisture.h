@@ -71,6 +71,13 @@ class DRENCH_API Moisture {
     /// @throws std::out_of_range
     void layDown(std::size_t node);
 
+    /// Fits the water to cloth that has been cut: another mesh of the same fabric, and what is on it. Nothing is covered.
+    /// What there is less of than before went with the cloth that is gone, in the account "cut away".
+    /// @param poreMass, filmMass  of each node of the mesh, kg
+    /// @throws std::invalid_argument for a mesh out of range, or a mass that is not finite, negative, or not one a node
+    void recut(const Fabric& fabric, const ClothMesh& mesh, std::vector<double> poreMass,
+               std::vector<double> filmMass);
+
     /// Lets `dt` seconds pass: water evaporates (or is taken from damp air); film goes into the pores, where
     /// the missing share falls by exp(-dt / wettingTime) as long as the film lasts; pore water wicks and
     /// drains, what pores cannot hold goes to the film; the film runs down and drips. Parts of it that need

@@ -16,6 +16,7 @@
 #include "drench/drop.h"
 #include "drench/export.h"
 #include "drench/fabric.h"
+#include "drench/health.h"
 #include "drench/ledger.h"
 #include "drench/moisture.h"
 #include "drench/precision.h"
@@ -56,23 +57,9 @@ struct SheetSettings {
 
     /// Default: by the world.
     Stepping stepping = Stepping::byWorld;
-};
 
-/// How a sheet does mechanically, as of now.
-struct SheetHealth {
-    /// Whether all positions and velocities of the body are finite. If not, the next step throws.
-    bool finite;
-    /// The largest |length / rest length - 1| of a stretch or shear link, 1.
-    double largestStrain;
-    /// How deep the deepest node is in a solid that it touched in the last substep, m; 0 if none is inside.
-    double deepestPenetration;
-    /// `WetCloth::stepBound`, s.
-    double stepBound;
-    /// Small steps of the last substep; 0 where no SmallStepSolver moves the sheet.
-    int smallSteps;
-    /// Substeps, since the WetCloth was made, whose small steps came to something not finite, so that the
-    /// sheet stayed where it was, at rest. 0 but for forces or obstacles beyond all measure.
-    int heldSubsteps;
+    /// What happens where something goes wrong while the world runs. Default: it is mended and reported.
+    OnTrouble onTrouble = OnTrouble::carryOn;
 };
 
 /// The water of one soft body and what it does to it.
@@ -254,6 +241,12 @@ class DRENCH_API WetCloth {
     /// Looks over all nodes, links and contacts. Once the body has ended, all is 0
     /// and `finite` is false.
     SheetHealth health() const;
+
+    /// What has gone wrong since the WetCloth was made, or since `clearTroubles`: a report for each kind, in the
+    /// order in which they first came. docs/health.md lists them all.
+    const std::vector<TroubleReport>& troubles() const;
+    /// Forgets the reports.
+    void clearTroubles();
 
     /// What the steps of this sheet have taken so far.
     StepTimes times() const;

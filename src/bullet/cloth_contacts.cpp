@@ -24,6 +24,7 @@ SheetMechanics* mechanicsOfPartner(btDiscreteDynamicsWorld& world, const btSoftB
                                    btSoftBody& other) {
     SheetMechanics* const mechanics = BodyWatch::mechanicsOf(other);
     if (!mechanics || mechanics->movedBySmallSteps || other.m_fdbvt.empty()) return nullptr;
+    if (!mechanics->fits || !hasCountsOf(other, mechanics->shape)) return nullptr;
     if (!world.getDispatcher()->needsCollision(&body, &other)) return nullptr;
     const auto* const one = body.getBroadphaseHandle();
     const auto* const two = other.getBroadphaseHandle();

@@ -62,6 +62,15 @@ DeformableSheet::DeformableSheet(const btDiscreteDynamicsWorld& world, const btS
         explicitStepBound(force_->largestSquaredFrequency(dryMasses, stiffestStretch, stiffestBending));
 }
 
+void DeformableSheet::recut(const btDiscreteDynamicsWorld& world, const btSoftBody& body,
+                            const SheetMechanics& mechanics, std::vector<double> dryMasses,
+                            double stiffestStretch, double stiffestBending) {
+    force_->leave();
+    const bool replaced = collisionsReplaced_;
+    *this = DeformableSheet(world, body, mechanics, std::move(dryMasses), stiffestStretch, stiffestBending);
+    collisionsReplaced_ = replaced;
+}
+
 double DeformableSheet::stepBound() const {
     return mode_.implicit ? std::numeric_limits<double>::infinity() : explicitBound_;
 }

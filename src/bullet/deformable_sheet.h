@@ -25,6 +25,10 @@ class DeformableSheet {
                     const SheetMechanics& mechanics, std::vector<double> dryMasses, double stiffestStretch,
                     double stiffestBending);
 
+    /// Becomes that of the same cloth, cut. @pre the body is in the world. Otherwise as in the constructor.
+    void recut(const btDiscreteDynamicsWorld& world, const btSoftBody& body, const SheetMechanics& mechanics,
+               std::vector<double> dryMasses, double stiffestStretch, double stiffestBending);
+
     /// Longest substep that the explicit world holds out, wet or dry, s; in the implicit world, as of the last
     /// substep, infinite.
     double stepBound() const;

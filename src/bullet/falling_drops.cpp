@@ -143,7 +143,7 @@ bool FallingDrops::land(std::size_t i, const Eigen::Vector3d& to) {
     Hit place{};
     for (const auto& sheet : sheets_->all) {
         const auto layer = sheet.lock();
-        if (!layer || !layer->isInWorld()) continue;
+        if (!layer || !layer->isInWorld() || !layer->fits()) continue;
         if (layer.get() == origin.sheet && (from - origin.position).norm() < clearance) continue;
         const auto hit = meet(layer->body, from, to);
         if (!hit || hit->fraction >= nearest) continue;

@@ -33,6 +33,15 @@ Grip::Grip(const Fabric& fabric, const ClothMesh& mesh)
       areas_(mesh.areas),
       clings_(fabric.clingEnergy > 0) {}
 
+void Grip::takeOver(const Grip& other) {
+    surfaces_ = other.surfaces_;
+    laws_ = other.laws_;
+    moisture_ = other.moisture_;
+    const std::size_t common = std::min(bondedTo.size(), other.bondedTo.size());
+    std::copy_n(other.bondedTo.begin(), common, bondedTo.begin());
+    std::copy_n(other.bondedToCloth.begin(), common, bondedToCloth.begin());
+}
+
 void Grip::setSurface(const btCollisionObject& solid, const Surface& surface) {
     validate(surface);
     surfaces_[&solid] = surface;

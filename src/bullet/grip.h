@@ -66,6 +66,9 @@ class Grip {
     double bondTraction(std::size_t node) const;
     double area(std::size_t node) const { return areas_[node]; }
 
+    /// Takes over what has been said of solids, and the bonds, of the cloth that this is cut from.
+    void takeOver(const Grip& other);
+
     // What each node is bonded to, by its address alone; none for no bond. Cloth has two faces.
     std::vector<const btCollisionObject*> bondedTo;       // a solid
     std::vector<const btCollisionObject*> bondedToCloth;  // another soft body

@@ -77,14 +77,6 @@ SheetMechanics checkedMechanics(const btCollisionWorld& world, const btSoftBody&
     return {fabric, std::move(shape), std::move(mesh)};
 }
 
-std::vector<Eigen::Vector2d> nodeCoordinates(const ClothMesh& mesh) {
-    std::vector<Eigen::Vector2d> coordinates(mesh.size(), Eigen::Vector2d::Zero());
-    for (std::size_t t = mesh.triangles.size(); t-- > 0;)  // so that the first face has the last word
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            coordinates[static_cast<std::size_t>(mesh.triangles[t][corner])] = mesh.coordinates[t][corner];
-    return coordinates;
-}
-
 }  // namespace
 
 WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const Fabric& aFabric,
@@ -93,6 +85,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       body(sheet),
       stepping(settings.stepping),
       waterSpeed(checkedWaterSpeed("SheetSettings::waterSpeed", settings.waterSpeed)),
+      troubles(settings.onTrouble),
       fabric(aFabric),
       mechanics(checkedMechanics(world, body, fabric, settings)),
       mesh(mechanics.mesh),
@@ -118,6 +111,8 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
         deformable = std::make_unique<DeformableSheet>(world, body, mechanics, dryMasses(),
                                                        std::max(1.0, double(fabric.wetStretchRatio)),
                                                        std::max(1.0, double(fabric.wetBendingRatio)));
+    pose.gather(body, mesh);
+    topology.follow(body);
     if (stepping == Stepping::byWorld) listenToPreTick(world, *this);
 }
 
@@ -181,8 +176,10 @@ void WetCloth::Layer::add(std::unique_ptr<Source> source) {
     if (!source) throw std::invalid_argument("drench: there is no source to add; give one");
     if (watch.bodyIsAlive()) {
         // A source checks its settings at every step; at one of no length it does nothing else.
-        pose.gather(body, mesh);
-        pose.gatherMotion(body);
+        if (fits()) {
+            pose.gather(body, mesh);
+            pose.gatherMotion(body);
+        }
         NoSupply trial;
         source->supply(sheetPose(), 0, trial);
     }
@@ -233,6 +230,15 @@ void WetCloth::Layer::preTick(btScalar dt) {
 }
 
 void WetCloth::Layer::substep(btScalar dt) {
+    if (!(dt > 0) || !std::isfinite(dt))
+        throw std::invalid_argument("drench: a substep of " + std::to_string(dt) +
+                                    " s; give a positive finite time");
+    troubles.begin(time, mechanics.times.substeps);
+    if (!fitToBody()) {
+        time += bodyStepOf(dt);
+        ++mechanics.times.substeps;
+        return;
+    }
     checkBeforeStep(dt);
     keepPrimed(body, mechanics.shape);
     taken.silenceAero(body);
@@ -258,7 +264,12 @@ void WetCloth::Layer::substep(btScalar dt) {
 }
 
 void WetCloth::Layer::postTick(btScalar dt) {
-    if (!isInWorld() || !body.isActive()) return;
+    if (!isInWorld()) return;
+    if (topology.hasMoved(body)) {  // as the application has cut the cloth since the substep began
+        topology.follow(body);
+        keepFaceTree(body);
+    }
+    if (!body.isActive() || !fits()) return;
     StopWatch watchOfContacts;
     using Mover = ClothContacts::Mover;
     if (deformable) {
@@ -294,7 +305,12 @@ void WetCloth::Layer::supply(double waterTime) {
     const std::size_t count = suppliers.size();
     for (std::size_t i = 0; i < count; ++i) {
         Source* const source = suppliers[i].source.get();
-        if (source) source->supply(sheet, waterTime, *suppliers[i].supply);
+        if (!source) continue;
+        try {
+            source->supply(sheet, waterTime, *suppliers[i].supply);
+        } catch (const std::exception& problem) {
+            troubles.noteThrown(Trouble::source, "the source \"" + source->name() + "\": " + problem.what());
+        }
     }
 }
 
@@ -321,13 +337,13 @@ void WetCloth::Layer::touchSolids() {
 void WetCloth::Layer::moveWater(double waterTime) {
     // The rate below the bound maximum divides by 1 - humidity, and in saturated air stays what it is just before.
     constexpr double dampest = 0.999;
-    Air around = air;
-    around.humidity = std::min(air.humidity, dampest);
+    Air around = usedAir;
+    around.humidity = std::min(around.humidity, dampest);
     const double speed = std::min((winds.mean() - pose.meanVelocity).norm(), 100.0);
     const double length = std::clamp(std::sqrt(totalArea), 1e-3, 100.0);
     surroundings.gravity = pose.gravity;
     surroundings.humidity = around.humidity;
-    surroundings.dryingRate = air.vapourExchange > 0 ? evaporation(around, speed, length).rate : 0.0;
+    surroundings.dryingRate = around.vapourExchange > 0 ? evaporation(around, speed, length).rate : 0.0;
     moisture.step(waterTime, surroundings);
 }
 
@@ -338,47 +354,6 @@ void WetCloth::Layer::collectDrops() {
             {toEigen(node.m_x), toEigen(node.m_v), dropMass, shed.drops, time, static_cast<int>(shed.node)});
         if (drops.size() > mostDropsKept) drops.pop_front();
     }
-}
-
-void WetCloth::Layer::checkBeforeStep(btScalar dt) {
-    if (!(dt > 0) || !std::isfinite(dt))
-        throw std::invalid_argument("drench: a substep of " + std::to_string(dt) +
-                                    " s; give a positive finite time");
-    if (!(body.m_cfg.timescale > 0) || !std::isfinite(body.m_cfg.timescale))
-        throw std::runtime_error("drench: the body's m_cfg.timescale is " +
-                                 std::to_string(body.m_cfg.timescale) + "; give a positive number");
-    if (!air.wind.allFinite())
-        throw std::runtime_error("drench: the wind is not finite; mend WetCloth::air().wind");
-    validate(air);
-    const btVector3& gravity = body.m_worldInfo->m_gravity;
-    if (!std::isfinite(gravity.length2()))
-        throw std::runtime_error(
-            "drench: the gravity of the body's world info is not finite; mend getWorldInfo()->m_gravity");
-    constexpr double strongest = 1e4;  // m/s2
-    if (double(gravity.length()) > strongest)
-        throw std::runtime_error("drench: the gravity of the body's world info is " +
-                                 std::to_string(gravity.length()) +
-                                 " m/s2; give at most 10000 in getWorldInfo()->m_gravity");
-    if (body.m_nodes.size() != static_cast<int>(mesh.size()) ||
-        body.m_links.size() != static_cast<int>(mechanics.shape.links.size()) ||
-        body.m_faces.size() != static_cast<int>(mesh.triangles.size()))
-        throw std::runtime_error(
-            "drench: the body has got or lost nodes, links or faces since the WetCloth was made; destroy the "
-            "WetCloth before changing the body's topology and make another after");
-    pose.gather(body, mesh);
-    for (int n = 0; !pose.isFinite && n < body.m_nodes.size(); ++n) {
-        const btVector3 sum = body.m_nodes[n].m_x + body.m_nodes[n].m_v + body.m_nodes[n].m_f;
-        if (!std::isfinite(sum.x() + sum.y() + sum.z()))
-            throw std::runtime_error(
-                "drench: node " + std::to_string(n) +
-                " has a position, velocity or force that is not finite; a force or an obstacle of the "
-                "application has blown the sheet up before this substep");
-    }
-    if (deformable) deformable->check(world, double(dt));
-    // The last, as shelter lasts from step to step.
-    StopWatch watchOfWind;
-    winds.evaluate(air, {pose, toEigen(body.m_nodes[0].m_x), time, bodyStepOf(dt), world});
-    mechanics.times.air += watchOfWind.lap();
 }
 
 void WetCloth::Layer::writeBack(double bodyStep) {

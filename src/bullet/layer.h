@@ -30,6 +30,8 @@
 #include "stock_contacts.h"
 #include "submersion.h"
 #include "taken_over.h"
+#include "topology_watch.h"
+#include "troubles.h"
 #include "wind_at_nodes.h"
 
 namespace drench {
@@ -75,6 +77,16 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     void postTick(btScalar dt) override;
     void substep(btScalar dt);
     void checkBeforeStep(btScalar dt);
+    /// Whether the body is the cloth that this knows, as it is made to be if it can.
+    bool fitToBody();
+    void refit();
+    void mendStranger();
+    void leaveToBullet();
+    /// Whether the body can have been changed since the last substep; looks at counts only.
+    bool fits() const;
+    void mendBody();
+    void reportHeldSubsteps();
+    void readAir(double bodyStep);
     double bodyStepOf(btScalar dt) const;
     void setWaterSpeed(double speed);
     void supply(double waterTime);
@@ -88,8 +100,11 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     btSoftBody& body;                // exists while the watch says so
     const Stepping stepping;
     double waterSpeed;
+    Troubles troubles;
     int objectsChecked = 0;  // collision objects in the world when it was last looked through for planes
     Air air;
+    Air usedAir;  // the last that was in range
+    btVector3 usedGravity = btVector3(0, 0, 0);  // the last that was, m/s2
 
     const Fabric fabric;
     SheetMechanics mechanics;
@@ -99,6 +114,7 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     WetLaws laws;
     Moisture moisture;
     BodyWatch watch;
+    TopologyWatch topology;
     TakenOver taken;
     RigidShelter shelter;
     WindAtNodes winds;
@@ -123,6 +139,11 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     double touchedUntil = -1;       // by which the last of them ends
 
     std::vector<Arrival> arrivals;  // since the last substep
+    int heldSubsteps = 0;           // that have been reported
+    int refits = 0;                 // to a body that was cut
+    PartCounts refused = {0, 0, 0};  // of the body that could not be followed last
+    std::string whyRefused;
+    std::vector<btVector3> strangersPlaces;  // of its nodes, m
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -13,6 +13,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 struct MovingSheet {
     explicit MovingSheet(const SheetMechanics& mechanics) : cloth(mechanics, bestKernels()) {}
 
+    const btSoftBody::Node* nodes = nullptr;  // where Bullet had them as the substep began
     SmallStepSheet cloth;
     SolidContacts contacts;
     SheetAnchors anchors;

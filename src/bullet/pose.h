@@ -9,6 +9,7 @@
 #include "drench/cloth_mesh.h"
 #include "drench/precision.h"
 #include "small_step_kernels.h"
+#include "vectors.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -19,12 +20,16 @@ struct Pose {
 
     /// Reads gravity and, in one pass over Bullet's nodes, of which each takes four cache lines, what each
     /// substep needs of them.
-    void gather(const btSoftBody& body, const ClothMesh& mesh);
+    /// @return whether all positions, velocities, forces and inverse masses are such that one can calculate with
+    ///     them; if not, places are those of the last time that they were
+    bool gather(const btSoftBody& body, const ClothMesh& mesh);
+    /// Where the nodes are, in the world, m.
+    std::vector<btVector3> placesInWorld() const;
     /// Reads positions and velocities once more, for sources.
     void gatherMotion(const btSoftBody& body);
 
-    bool isFinite = true;            // all positions, velocities and forces
-    std::vector<MovingNode> places;  // m, from the first node, so that far from the origin digits are kept
+    btVector3 origin = btVector3(0, 0, 0);  // of the places, m: the first node
+    std::vector<MovingNode> places;         // m, from there, so that far from the world's origin digits are kept
     std::vector<MovingNode> speeds;  // m/s
     std::vector<float> heights;      // m, of places along `up`
     Eigen::Vector3d meanVelocity = Eigen::Vector3d::Zero();  // of the cloth, by its nodes' areas, m/s
@@ -34,6 +39,9 @@ struct Pose {
     std::vector<Eigen::Vector3d> positions;         // m
     std::vector<Eigen::Vector3d> velocities;        // m/s
     std::vector<std::vector<int>> trianglesAround;  // indices, of each node
+
+  private:
+    std::vector<MovingNode> newPlaces_;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "face_tree.h"
 #include "vectors.h"
 
 namespace drench {
@@ -23,19 +24,25 @@ void prime(btSoftBody& body) {
     body.updateConstants();
 }
 
-void keepPrimed(btSoftBody& body, const RestShape& shape) {
-    // Bullet makes the tree while it primes, which it no longer does.
-    using Collision = btSoftBody::fCollision;
-    const bool wantsFaceTree = (body.m_cfg.collisions & (Collision::VF_SS | Collision::SDF_RD)) != 0;
-    if (wantsFaceTree && body.m_fdbvt.empty()) body.initializeFaceTree();
-
-    if (!body.m_bUpdateRtCst) return;
-    body.m_bUpdateRtCst = false;
+void writeRestLengths(btSoftBody& body, const RestShape& shape) {
     for (int i = 0; i < body.m_links.size(); ++i) {
         btSoftBody::Link& link = body.m_links[i];
         link.m_rl = shape.restLengths[static_cast<std::size_t>(i)] * body.m_restLengthScale;
         link.m_c1 = link.m_rl * link.m_rl;
     }
+}
+
+void keepFaceTree(btSoftBody& body) {
+    using Collision = btSoftBody::fCollision;
+    const bool wantsFaceTree = (body.m_cfg.collisions & (Collision::VF_SS | Collision::SDF_RD)) != 0;
+    if (wantsFaceTree && body.m_fdbvt.empty()) makeFaceTree(body);
+}
+
+void keepPrimed(btSoftBody& body, const RestShape& shape) {
+    keepFaceTree(body);
+    if (!body.m_bUpdateRtCst) return;
+    body.m_bUpdateRtCst = false;
+    writeRestLengths(body, shape);
 }
 
 RestShape restShapeOf(const btSoftBody& body) {
@@ -94,6 +101,14 @@ std::vector<Eigen::Vector2d> flattened(const btSoftBody& body) {
         const Eigen::Vector3d offset = toEigen(body.m_nodes[n].m_x) - centre;
         coordinates.emplace_back(offset.dot(warp), offset.dot(weft));
     }
+    return coordinates;
+}
+
+std::vector<Eigen::Vector2d> nodeCoordinates(const ClothMesh& mesh) {
+    std::vector<Eigen::Vector2d> coordinates(mesh.size(), Eigen::Vector2d::Zero());
+    for (std::size_t t = mesh.triangles.size(); t-- > 0;)  // so that the first face has the last word
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            coordinates[static_cast<std::size_t>(mesh.triangles[t][corner])] = mesh.coordinates[t][corner];
     return coordinates;
 }
 

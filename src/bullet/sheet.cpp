@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -60,6 +61,32 @@ std::vector<btVector3> positionsOf(const Corners& c, const Grid& grid) {
             positions.push_back(from.lerp(to, btScalar(i) / btScalar(grid.nodesWarp - 1)));
     }
     return positions;
+}
+
+/// Bullet puts one node after the other into its tree, which row by row gets ever deeper: a million nodes take minutes.
+/// So they come in a random order, after which nodes and leaves are put back in theirs.
+std::unique_ptr<btSoftBody> bodyOfNodes(btSoftBodyWorldInfo& worldInfo, const std::vector<btVector3>& positions) {
+    std::vector<int> order(positions.size());
+    std::minstd_rand random;  // the same with every standard library, as a shuffle of theirs is not
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        order[i] = static_cast<int>(i);
+        std::swap(order[i], order[random() % (i + 1)]);
+    }
+    std::vector<btVector3> shuffled;
+    shuffled.reserve(positions.size());
+    for (const int node : order) shuffled.push_back(positions[static_cast<std::size_t>(node)]);
+    auto body = std::make_unique<btSoftBody>(&worldInfo, static_cast<int>(order.size()), shuffled.data(), nullptr);
+
+    std::vector<btDbvtNode*> leaves;
+    leaves.reserve(positions.size());
+    for (int i = 0; i < body->m_nodes.size(); ++i) leaves.push_back(body->m_nodes[i].m_leaf);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        btSoftBody::Node& node = body->m_nodes[order[i]];
+        node.m_x = node.m_q = body->m_X[order[i]] = shuffled[i];
+        node.m_leaf = leaves[i];
+        node.m_leaf->data = &node;
+    }
+    return body;
 }
 
 /// All cells are cut along the same diagonal, so that every inner node has six triangles and the area of one
@@ -139,8 +166,7 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
     const Grid grid{nodesWarp, nodesWeft};
     check(fabric, corners, grid);
 
-    const std::vector<btVector3> positions = positionsOf(corners, grid);
-    auto body = std::make_unique<btSoftBody>(&worldInfo, grid.size(), positions.data(), nullptr);
+    auto body = bodyOfNodes(worldInfo, positionsOf(corners, grid));
     appendFaces(*body, grid);
     appendLinks(*body, grid);
 

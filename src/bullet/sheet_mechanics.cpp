@@ -19,6 +19,15 @@ SheetMechanics::SheetMechanics(const Fabric& fabric, RestShape restShape, ClothM
       bendingRatios(shape.nodeAreas.size()),
       bendingFrictionRatios(shape.nodeAreas.size()) {}
 
+void SheetMechanics::recut(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh) {
+    SheetMechanics cut(fabric, std::move(restShape), std::move(clothMesh));
+    cut.grip.takeOver(grip);
+    cut.smallSteps = smallSteps;
+    cut.heldSubsteps = heldSubsteps;
+    cut.times = times;
+    *this = std::move(cut);
+}
+
 void SheetMechanics::evaluate(const WetLaws& laws, const Moisture& moisture) {
     grip.evaluate(laws, moisture);
     for (std::size_t n = 0; n < masses.size(); ++n) {

@@ -27,12 +27,14 @@ struct SheetMechanics {
     void evaluate(const WetLaws& laws, const Moisture& moisture);
     /// Stiffness of a link as of this substep, N/m.
     double stiffness(std::size_t link) const;
+    /// Becomes that of the same cloth, cut. @pre `evaluate` before anything else
+    void recut(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh);
 
     RestShape shape;
-    const ClothMesh mesh;
-    const double stretch;          // stretch stiffness of the dry cloth, mean of warp and weft, N/m
-    const double bending;          // bending rigidity of the dry cloth, N m
-    const double bendingFriction;  // of the dry cloth, N
+    ClothMesh mesh;
+    double stretch;          // stretch stiffness of the dry cloth, mean of warp and weft, N/m
+    double bending;          // bending rigidity of the dry cloth, N m
+    double bendingFriction;  // of the dry cloth, N
     std::vector<LinkStiffness> dryStiffness;
     Grip grip;
 
@@ -48,6 +50,8 @@ struct SheetMechanics {
     bool movedBySmallSteps = false;  // in the last substep
     int smallSteps = 0;              // of the last substep
     int heldSubsteps = 0;            // that came to nothing finite
+    int heldNode = -1;               // with which the last of them did
+    bool fits = true;                // whether the body still is this cloth; if not, Drench lets it be
 
     StepTimes times;
 };

@@ -359,10 +359,15 @@ void SmallStepSheet::place(std::size_t node, const btVector3& by) {
     shift(predicted_[node], by);
 }
 
-bool SmallStepSheet::finish(btSoftBody& body) {
-    float sum = 0;
-    for (std::size_t n = 0; n < count_; ++n) sum += moved_[n].x + moved_[n].y + moved_[n].z;
-    const bool finite = std::isfinite(sum);
+int SmallStepSheet::firstNotFinite() const {
+    const auto isOff = [](const MovingNode& moved) { return !std::isfinite(moved.x + moved.y + moved.z); };
+    const auto found = std::find_if(moved_.begin(), moved_.end() - 1, isOff);  // the spare one does not count
+    return found == moved_.end() - 1 ? -1 : static_cast<int>(found - moved_.begin());
+}
+
+int SmallStepSheet::finish(btSoftBody& body) {
+    const int off = firstNotFinite();
+    const bool finite = off < 0;
     const auto perSecond = btScalar(1 / smallStep_);
     end_.resize(count_);
     for (std::size_t n = 0; n < count_; ++n) {
@@ -380,7 +385,7 @@ bool SmallStepSheet::finish(btSoftBody& body) {
             node.m_v = step(n) * perSecond;
         end_[n] = node.m_x;
     }
-    return finite;
+    return off;
 }
 
 void SmallStepSheet::writeNormals(btSoftBody& body) {

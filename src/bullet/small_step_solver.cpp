@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "body_watch.h"
+#include "face_tree.h"
 #include "moving_sheet.h"
 #include "sheet_mechanics.h"
 #include "soft_contacts.h"
@@ -35,13 +36,21 @@ const SmallSteps& checked(const SmallSteps& settings) {
 /// The mechanics of a body that small steps move; none for those that go Bullet's own way.
 SheetMechanics* mechanicsOf(btSoftBody& body) {
     if (body.m_pose.m_bframe && body.m_cfg.kMT > 0) return nullptr;
-    return BodyWatch::mechanicsOf(body);
+    SheetMechanics* const mechanics = BodyWatch::mechanicsOf(body);
+    return mechanics && mechanics->fits && hasCountsOf(body, mechanics->shape) ? mechanics : nullptr;
 }
 
 /// The same once small steps have begun to move the body in this substep.
 SheetMechanics* movedHere(btSoftBody& body) {
     SheetMechanics* const mechanics = mechanicsOf(body);
-    return mechanics && mechanics->moving && mechanics->movedBySmallSteps ? mechanics : nullptr;
+    const bool hasBegun = mechanics && mechanics->moving && mechanics->movedBySmallSteps;
+    return hasBegun && mechanics->moving->nodes == &body.m_nodes[0] ? mechanics : nullptr;
+}
+
+/// Whether the application has changed the topology of a body since they have.
+bool isCut(btSoftBody& body) {
+    const SheetMechanics* const mechanics = BodyWatch::mechanicsOf(body);
+    return mechanics && mechanics->movedBySmallSteps && !movedHere(body);
 }
 
 /// The members that Bullet's own predictMotion leaves for others to read.
@@ -104,7 +113,7 @@ void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
 /// those that may come within the substep, and bonds as far as they reach: around each node it looks twice as far as
 /// from m_x to m_q.
 void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth, const Grip& grip) {
-    if (body.m_fdbvt.empty()) body.initializeFaceTree();  // which else comes with the first stock step
+    if (body.m_fdbvt.empty()) makeFaceTree(body);  // which else comes with the first stock step
     const btScalar margin = body.getCollisionShape()->getMargin();
     ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
     btScalar farthest = 0;
@@ -189,6 +198,7 @@ void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics
     if (!mechanics.moving) mechanics.moving = std::make_shared<MovingSheet>(mechanics);
     mechanics.movedBySmallSteps = true;
     MovingSheet& sheet = *mechanics.moving;
+    sheet.nodes = &body.m_nodes[0];
     StopWatch watch;
     writeStepState(body, substep);
     if (body.m_cfg.kPR != 0 || body.m_cfg.kVC > 0) body.applyForces();
@@ -235,6 +245,8 @@ void SmallStepSolver::solveConstraints(btScalar substep) {
         if (!body.isActive()) continue;
         if (SheetMechanics* const mechanics = movedHere(body))
             state_->sheets.push_back({&body, mechanics, mechanics->moving.get()});
+        else if (isCut(body))
+            state_->softContacts.clear();  // which are of nodes that are gone; the cloth waits for the next substep
         else
             body.solveConstraints();
     }
@@ -304,7 +316,11 @@ void SmallStepSolver::State::smallStep(double smallStepOfWorld) {
 void SmallStepSolver::State::finish(btScalar substep) {
     StopWatch watch;
     for (const Solving& each : sheets) {
-        if (!each.sheet->cloth.finish(*each.body)) ++each.mechanics->heldSubsteps;
+        const int off = each.sheet->cloth.finish(*each.body);
+        if (off >= 0) {
+            ++each.mechanics->heldSubsteps;
+            each.mechanics->heldNode = off;
+        }
         each.mechanics->smallSteps = steps;
         each.mechanics->times.solver += watch.lap();
         each.sheet->contacts.finish(*each.body, each.mechanics->grip, solids, double(substep));

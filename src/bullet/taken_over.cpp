@@ -24,19 +24,48 @@ std::vector<Value> reordered(const std::vector<Value>& values, const std::vector
 
 }  // namespace
 
-TakenOver::TakenOver(btSoftBody& body, SheetMechanics& mechanics)
-    : linkOrder_(orderOfColours(mechanics.shape)) {
+TakenOver::TakenOver(btSoftBody& body, SheetMechanics& mechanics) {
+    for (int i = 0; i < body.m_links.size(); ++i) linkOrder_.push_back(i);
     prime(body);
-    reorderLinks(body, linkOrder_);
-    mechanics.shape.links = reordered(mechanics.shape.links, linkOrder_);
-    mechanics.shape.restLengths = reordered(mechanics.shape.restLengths, linkOrder_);
-    mechanics.dryStiffness = reordered(mechanics.dryStiffness, linkOrder_);
+    orderLinks(body, mechanics);
     for (int n = 0; n < body.m_nodes.size(); ++n) inverseMasses_.push_back(body.m_nodes[n].m_im);
     for (int i = 0; i < body.m_links.size(); ++i) linkConstants_.push_back(body.m_links[i].m_c0);
     drag_ = body.m_cfg.kDG;
     lift_ = body.m_cfg.kLF;
     body.m_cfg.kDG = 0;
     body.m_cfg.kLF = 0;
+}
+
+void TakenOver::orderLinks(btSoftBody& body, SheetMechanics& mechanics) {
+    const std::vector<int> order = orderOfColours(mechanics.shape);
+    reorderLinks(body, order);
+    mechanics.shape.links = reordered(mechanics.shape.links, order);
+    mechanics.shape.restLengths = reordered(mechanics.shape.restLengths, order);
+    mechanics.dryStiffness = reordered(mechanics.dryStiffness, order);
+    linkOrder_ = reordered(linkOrder_, order);
+}
+
+void TakenOver::recut(btSoftBody& body, SheetMechanics& mechanics, const std::vector<double>& oldAreas,
+                      const std::vector<double>& dryMasses) {
+    const auto links = static_cast<std::size_t>(body.m_links.size());
+    if (links < linkOrder_.size()) linkOrder_.clear();  // the links that are gone leave no order to go back to
+    while (linkOrder_.size() < links) linkOrder_.push_back(static_cast<int>(linkOrder_.size()));
+    orderLinks(body, mechanics);
+    for (std::size_t n = 0; n < dryMasses.size(); ++n) {
+        const double area = mechanics.mesh.areas[n];
+        if (n >= inverseMasses_.size())
+            inverseMasses_.push_back(dryMasses[n] > 0 ? btScalar(1 / dryMasses[n])
+                                                      : body.m_nodes[static_cast<int>(n)].m_im);
+        else if (area > 0 && oldAreas[n] > 0)
+            inverseMasses_[n] *= btScalar(oldAreas[n] / area);
+    }
+    linkConstants_.clear();
+    for (int i = 0; i < body.m_links.size(); ++i) {
+        const btSoftBody::Link& link = body.m_links[i];
+        const btScalar sum = inverseMasses_[static_cast<std::size_t>(indexOf(body, link.m_n[0]))] +
+                             inverseMasses_[static_cast<std::size_t>(indexOf(body, link.m_n[1]))];
+        linkConstants_.push_back(sum / link.m_material->m_kLST);
+    }
 }
 
 void TakenOver::silenceAero(btSoftBody& body) {

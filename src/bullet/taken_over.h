@@ -16,6 +16,13 @@ class TakenOver {
     /// Primes the body, keeps what it was, and orders its links by colour, and those of `mechanics` with them.
     TakenOver(btSoftBody& body, SheetMechanics& mechanics);
 
+    /// The same for the body as it is after a cut.
+    /// @param mechanics   of the body now, in the order of its links, which this changes
+    /// @param oldAreas    of the nodes that there were, m2
+    /// @param dryMasses   of all nodes, kg; 0 for a node without cloth
+    void recut(btSoftBody& body, SheetMechanics& mechanics, const std::vector<double>& oldAreas,
+               const std::vector<double>& dryMasses);
+
     /// Switches Bullet's aero models off; what the application has set since is kept for the end.
     void silenceAero(btSoftBody& body);
 
@@ -25,6 +32,8 @@ class TakenOver {
     void giveBack(btSoftBody& body, const std::vector<double>& dryMasses) const;
 
   private:
+    void orderLinks(btSoftBody& body, SheetMechanics& mechanics);
+
     std::vector<btScalar> inverseMasses_;
     std::vector<btScalar> linkConstants_;  // in the layer's order
     std::vector<int> linkOrder_;           // the application's link at each place

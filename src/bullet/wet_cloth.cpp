@@ -149,8 +149,24 @@ SheetHealth WetCloth::health() const {
     if (!layer_->watch.bodyIsAlive()) return {};
     const btSoftBody& body = layer_->body;
     const SheetMechanics& mechanics = layer_->mechanics;
-    return {isFinite(body), largestStrain(body, mechanics), deepestPenetration(body),
-            stepBound(),    mechanics.smallSteps,           mechanics.heldSubsteps};
+    const bool fits = layer_->fits() && !layer_->topology.hasMoved(body);
+    return {isFinite(body),
+            fits ? largestStrain(body, mechanics) : 0.0,
+            fits ? deepestPenetration(body) : 0.0,
+            stepBound(),
+            mechanics.smallSteps,
+            mechanics.heldSubsteps,
+            fits,
+            layer_->refits,
+            static_cast<int>(layer_->troubles.reports().size())};
+}
+
+const std::vector<TroubleReport>& WetCloth::troubles() const {
+    return layer_->troubles.reports();
+}
+
+void WetCloth::clearTroubles() {
+    layer_->troubles.clear();
 }
 
 StepTimes WetCloth::times() const {

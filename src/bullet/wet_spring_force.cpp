@@ -108,7 +108,7 @@ btDeformableLagrangianForceType WetSpringForce::getForceType() {
 }
 
 bool WetSpringForce::pulls() const {
-    return m_softBodies.size() > 0 && m_softBodies[0]->isActive() &&
+    return mechanics_.fits && m_softBodies.size() > 0 && m_softBodies[0]->isActive() &&
            m_softBodies[0]->m_nodes.size() == static_cast<int>(positions_.size());
 }
 

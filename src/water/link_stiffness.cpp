@@ -124,6 +124,9 @@ std::vector<LinkStiffness> linkStiffness(const Fabric& fabric, const ClothMesh& 
         } else if (!link.bending && crossing != crossings.end()) {
             const double area = 0.5 * edges.at(crossing->second.edge).area;
             result.push_back(stretchLink(fabric, crossing->second.along, area));
+        } else if (mesh.areas[static_cast<std::size_t>(link.nodes[0])] == 0 ||
+                   mesh.areas[static_cast<std::size_t>(link.nodes[1])] == 0) {
+            result.push_back({LinkKind::stretch, 0.5 * (fabric.stretchWarp + fabric.stretchWeft)});
         } else {
             result.push_back({LinkKind::bending, 36 * fabric.bending / (link.length * link.length)});
         }

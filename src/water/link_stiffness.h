@@ -34,6 +34,7 @@ struct LinkStiffness {
 /// with crossed diagonals this is c11 - G and c22 - G along the grid (half on the border) and G for each
 /// diagonal.
 ///
+/// A link with an end that has no cloth is a thread: as a square cell of the cloth, the mean of both stretches (assumed).
 /// Every other link, and those marked as bending, gets 36 B / length^2: as a chord over two cells it then
 /// stores the energy of a bend of one radian a cell (assumed; a chord has no stiffness at small angles).
 ///

@@ -151,6 +151,31 @@ void Moisture::layDown(std::size_t node) {
     covered_.push_back(node);
 }
 
+void Moisture::recut(const Fabric& fabric, const ClothMesh& mesh, std::vector<double> poreMass,
+                     std::vector<double> filmMass) {
+    Moisture cut(fabric, mesh);
+    for (const auto* masses : {&poreMass, &filmMass})
+        if (masses->size() != cut.size() ||
+            !std::all_of(masses->begin(), masses->end(),
+                         [](double mass) { return mass >= 0 && std::isfinite(mass); }))
+            throw std::invalid_argument("drench: water for " + std::to_string(masses->size()) + " nodes of " +
+                                        std::to_string(cut.size()) +
+                                        "; give a finite mass of at least 0 kg for each");
+    cut.poreMass_ = std::move(poreMass);
+    cut.filmMass_ = std::move(filmMass);
+    cut.accounts_ = accounts_;
+    cut.dripped_ = dripped_;
+    cut.evaporated_ = evaporated_;
+    const double before = totalPoreMass() + totalFilmMass();
+    const double missing = before - (cut.totalPoreMass() + cut.totalFilmMass());
+    constexpr double rounding = 1e-12;
+    if (std::abs(missing) > rounding * before) {
+        Account& account = cut.accounts_[cut.openAccount("cut away")];
+        (missing > 0 ? account.returned : account.supplied) += std::abs(missing);
+    }
+    *this = std::move(cut);
+}
+
 void Moisture::uncover() {
     for (const std::size_t node : covered_) lying_[node] = 0;
     for (const std::size_t node : covered_) openAreas_[node] = static_cast<float>(areas_[node]);

@@ -301,7 +301,7 @@ TEST(SmallStepLifetime, SettingsOutOfRangeAreRefused) {
 TEST(SmallStepLifetime, AForceThatIsNotFiniteLeavesTheSheetWhereItWas) {
     test::SmallStepWorld rig({4, 0.01});
     btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabrics::cottonPlain(), 0.5, 9));
-    rig.cover(sheet, fabrics::cottonPlain());
+    rig.cover(sheet, fabrics::cottonPlain(), test::throwing());
     rig.run(0.1);
     const btVector3 before = sheet.m_nodes[40].m_x;
     sheet.m_nodes[44].m_f.setValue(btScalar(std::nan("")), 0, 0);

@@ -158,18 +158,14 @@ TEST(SmallStepTouch, HealthTellsHowTheSheetDoes) {
     EXPECT_FALSE(cloth.health().finite);
 }
 
-TEST(SmallStepTouch, ForcesThatAreNotFiniteAreRefusedAndAbsurdSpeedsHoldTheSheet) {
+// Reached by a body that nobody mends before the step.
+TEST(SmallStepTouch, AbsurdSpeedsHoldTheSheet) {
     test::SmallStepWorld rig;
     btSoftBody& sheet = rig.add(test::smallSheet(rig.info()));
-    WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain());
+    SheetSettings settings;
+    settings.stepping = Stepping::byApplication;
+    WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain(), settings);
     rig.run(0.1);
-    sheet.m_nodes[100].m_f.setY(std::numeric_limits<btScalar>::quiet_NaN());
-    EXPECT_THROW(rig.run(1.0 / 60), std::runtime_error);
-    sheet.m_nodes[100].m_f.setZero();
-    rig.world().clearForces();
-    rig.run(0.1);
-    EXPECT_TRUE(cloth.health().finite);
-
     const btVector3 place = sheet.m_nodes[100].m_x;
     sheet.m_nodes[100].m_v.setY(btScalar(1e30));
     rig.run(1.0 / 60);

@@ -253,7 +253,8 @@ TEST(WetCloth, WaterFollowsTheBodysOwnTime) {
     usual.bullet().step(0.25, 60);
     EXPECT_NEAR(slowCloth.saturation(100), usualCloth.saturation(100), 1e-5);
     slow.sheet().m_cfg.timescale = 0;
-    EXPECT_THROW(slow.bullet().step(0.01, 1), std::runtime_error);
+    slow.bullet().step(0.01, 1);
+    EXPECT_EQ(slow.sheet().m_cfg.timescale, 1);
 }
 
 TEST(WetCloth, WaterWakesASleepingSheet) {
@@ -341,7 +342,7 @@ TEST(WetCloth, SaysWhatItIsMadeOfAndHowMuchLightItLetsThrough) {
 TEST(WetCloth, RefusesInputThatIsNotFiniteBeforeBulletSeesIt) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     SheetWorld rig(test::smallSheet);
-    WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain(), test::throwing());
     EXPECT_THROW(cloth.addWater(0, nan), std::invalid_argument);
     EXPECT_THROW(cloth.addWater(0, -1), std::invalid_argument);
     EXPECT_THROW(cloth.addWater(-1, 1e-3), std::out_of_range);
@@ -373,7 +374,7 @@ TEST(WetCloth, RefusesInputThatIsNotFiniteBeforeBulletSeesIt) {
 
 TEST(WetCloth, SaysSoWhenTheBodysTopologyChanges) {
     SheetWorld rig(test::smallSheet);
-    WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain(), test::throwing());
     rig.bullet().step(1.0 / 60, 4);
     rig.sheet().appendLink(0, 40);
     EXPECT_THROW(rig.bullet().step(1.0 / 60, 1), std::runtime_error);

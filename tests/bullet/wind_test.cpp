@@ -57,6 +57,7 @@ class Screen {
         bullet_.world().addSoftBody(sheet_.get());
         SheetSettings settings;
         settings.stepping = Stepping::byApplication;
+        settings.onTrouble = OnTrouble::throwError;
         cloth_ = std::make_unique<WetCloth>(bullet_.world(), *sheet_, airtight(), settings);
     }
     ~Screen() { bullet_.world().removeSoftBody(sheet_.get()); }

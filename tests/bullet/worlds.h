@@ -122,6 +122,13 @@ inline SheetSettings withoutAir() {
     return settings;
 }
 
+/// Settings of a WetCloth that throws where something goes wrong.
+inline SheetSettings throwing() {
+    SheetSettings settings;
+    settings.onTrouble = OnTrouble::throwError;
+    return settings;
+}
+
 /// A level square sheet around (0, height, 0); warp along x, weft along z.
 inline std::unique_ptr<btSoftBody> levelSheet(btSoftBodyWorldInfo& info, const Fabric& fabric, double side,
                                               int nodes, double height) {
