@@ -10,10 +10,6 @@ namespace drench::demo {
 
 namespace {
 
-double side(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p) {
-    return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
-}
-
 void drawCircle(viewer::Image& image, double radius) {
     constexpr std::uint8_t colour[] = {200, 60, 40};
     const double middle = image.width / 2.0;
@@ -45,16 +41,24 @@ Eigen::Vector2d Silhouette::place(const btVector3& position) const {
 }
 
 void Silhouette::cover(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-    const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-    const auto first = [](double value) { return std::max(0, int(std::floor(value))); };
-    const auto last = [&](double value) { return std::min(pixels_ - 1, int(std::ceil(value))); };
-    for (int y = first(low.y()); y <= last(high.y()); ++y)
-        for (int x = first(low.x()); x <= last(high.x()); ++x) {
-            const Eigen::Vector2d p(x + 0.5, y + 0.5);
-            const double ab = side(a, b, p), bc = side(b, c, p), ca = side(c, a, p);
-            if ((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0))
-                covered_[std::size_t(y) * std::size_t(pixels_) + std::size_t(x)] = 1;
-        }
+    const double last = pixels_ - 1;
+    const auto firstFrom = [&](double value) { return int(std::ceil(std::clamp(value - 0.5, 0., last + 1))); };
+    const auto lastTo = [&](double value) { return int(std::floor(std::clamp(value - 0.5, -1., last))); };
+    for (int y = firstFrom(std::min({a.y(), b.y(), c.y()})); y <= lastTo(std::max({a.y(), b.y(), c.y()})); ++y) {
+        double from = pixels_, to = 0;  // where the row's middle line enters and leaves the triangle
+        const auto cross = [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
+            const double height = y + 0.5;
+            if ((p.y() <= height) == (q.y() <= height)) return;
+            const double x = p.x() + (height - p.y()) / (q.y() - p.y()) * (q.x() - p.x());
+            from = std::min(from, x);
+            to = std::max(to, x);
+        };
+        cross(a, b);
+        cross(b, c);
+        cross(c, a);
+        for (int x = firstFrom(from); x <= lastTo(to); ++x)
+            covered_[std::size_t(y) * std::size_t(pixels_) + std::size_t(x)] = 1;
+    }
 }
 
 double Silhouette::area() const {

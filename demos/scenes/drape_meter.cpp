@@ -158,10 +158,11 @@ std::string DrapeMeter::status() const {
 
 void DrapeMeter::adorn(viewer::Picture& picture) const {
     for (const double x : axes) showPedestal(picture, float(x));
+    const Drape left = dry(), right = wet();
     std::ostringstream text;
     text << std::fixed << std::setprecision(1) << discs_[0]->fabric().name << ": left dry, drape "
-         << dry().coefficient << " %, " << dry().nodes << " nodes; right wet, " << wet().coefficient << " %, "
-         << wet().nodes;
+         << left.coefficient << " %, " << left.nodes << " nodes; right wet, " << right.coefficient << " %, "
+         << right.nodes;
     picture.caption.push_back(text.str());
 }
 

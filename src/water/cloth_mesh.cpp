@@ -13,12 +13,19 @@ namespace {
     throw std::invalid_argument("drench: " + what);
 }
 
+std::string missingNode(std::size_t triangle, int node, std::size_t nodes) {
+    return "triangle " + std::to_string(triangle) + " has the node " + std::to_string(node) + "; " +
+           (nodes > 0 ? "give 0 to " + std::to_string(nodes - 1) : "there are none");
+}
+
+bool isThere(int node, std::size_t nodes) {
+    return node >= 0 && static_cast<std::size_t>(node) < nodes;
+}
+
 void checkTriangle(const ClothMesh& mesh, std::size_t t) {
     const auto& nodes = mesh.triangles[t];
     for (const int node : nodes)
-        if (node < 0 || static_cast<std::size_t>(node) >= mesh.size())
-            refuse("triangle " + std::to_string(t) + " has the node " + std::to_string(node) +
-                   "; give 0 to " + std::to_string(mesh.size() - 1));
+        if (!isThere(node, mesh.size())) refuse(missingNode(t, node, mesh.size()));
     if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0])
         refuse("triangle " + std::to_string(t) + " joins a node with itself; remove it");
     for (const Eigen::Vector2d& corner : mesh.coordinates[t])
@@ -43,8 +50,12 @@ ClothMesh flatMesh(const std::vector<Eigen::Vector2d>& coordinates,
     mesh.triangles = triangles;
     for (const auto& nodes : triangles) {
         std::array<Eigen::Vector2d, 3> corners;
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            corners[corner] = coordinates.at(static_cast<std::size_t>(nodes[corner]));
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            if (!isThere(nodes[corner], coordinates.size()))
+                throw std::out_of_range(
+                    "drench: " + missingNode(mesh.coordinates.size(), nodes[corner], coordinates.size()));
+            corners[corner] = coordinates[static_cast<std::size_t>(nodes[corner])];
+        }
         for (const int node : nodes) mesh.areas[static_cast<std::size_t>(node)] += triangleArea(corners) / 3;
         mesh.coordinates.push_back(corners);
     }

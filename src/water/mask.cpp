@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -17,6 +18,12 @@ namespace {
 
 std::runtime_error unreadable(const std::filesystem::path& path, const std::string& why) {
     return std::runtime_error("drench: cannot read the picture " + path.string() + ": " + why);
+}
+
+std::runtime_error noPicture(const std::filesystem::path& path) {
+    const char* reason = stbi_failure_reason();
+    return unreadable(path, std::string("it is no picture that can be read here (") +
+                                (reason ? reason : "unknown") + "); give a PNG");
 }
 
 std::vector<char> readBytes(const std::filesystem::path& path) {
@@ -53,6 +60,20 @@ Between between(double place, int pixels) {
             centred - first};
 }
 
+// Before anything is unpacked: a small file may say that it has more pixels than there is memory.
+void checkSize(const std::filesystem::path& path, const std::vector<char>& bytes) {
+    constexpr std::int64_t most = 1 << 25;
+    int width = 0, height = 0, channels = 0;
+    const bool isKnown =
+        stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
+                              &width, &height, &channels) != 0;
+    if (!isKnown) throw noPicture(path);
+    if (width < 1 || height < 1 || std::int64_t(width) * height > most)
+        throw unreadable(path, "it is " + std::to_string(width) + " x " + std::to_string(height) +
+                                   " pixels; give at least one and at most " + std::to_string(most) +
+                                   " in all");
+}
+
 }  // namespace
 
 double Mask::at(double right, double up) const {
@@ -76,6 +97,7 @@ double Mask::at(double right, double up) const {
 
 Mask readMask(const std::filesystem::path& path) {
     const std::vector<char> bytes = readBytes(path);
+    checkSize(path, bytes);
     Mask mask;
     int channels = 0;
     // Sixteen bits keep the steps of a fine picture; those of eight come out the same either way.
@@ -83,11 +105,7 @@ Mask readMask(const std::filesystem::path& path) {
         stbi_load_16_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
                                  static_cast<int>(bytes.size()), &mask.width, &mask.height, &channels, 4),
         stbi_image_free);
-    if (!pixels) {
-        const char* reason = stbi_failure_reason();
-        throw unreadable(path, std::string("it is no picture that can be read here (") +
-                                   (reason ? reason : "unknown") + "); give a PNG");
-    }
+    if (!pixels) throw noPicture(path);
     mask.values.resize(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
     for (std::size_t pixel = 0; pixel < mask.values.size(); ++pixel)
         mask.values[pixel] = greyOf(pixels.get() + 4 * pixel);

@@ -1,9 +1,22 @@
 # shellcheck shell=bash disable=SC2034,SC2154
-# Sourced by the tests of the window: a program on a virtual display, its keys and its pictures.
-# The caller has set `program` and `folder`, and runs within xvfb-run.
+# Sourced by the tests of the window: a program on a virtual display of its own, its keys and its pictures. Many of these
+# tests may run side by side. The caller has set `program` and `probe`.
 
+folder=$(mktemp -d)
 child=
 window=
+display=
+trap 'kill $child $display 2>/dev/null; wait; rm -rf "$folder"' EXIT
+
+# open_display: the server itself chooses a number that is free, so that no two tests share one.
+open_display() {
+  mkfifo "$folder/number"
+  Xvfb -displayfd 3 -screen 0 1024x768x24 -noreset -nolisten tcp 3>"$folder/number" 2>"$folder/stderr" &
+  display=$!
+  read -r DISPLAY <"$folder/number" || fail "no virtual display came up"
+  export DISPLAY=:$DISPLAY
+  unset WAYLAND_DISPLAY
+}
 
 # open_window ARGUMENT...: starts the program and waits for its window.
 open_window() {
@@ -41,6 +54,31 @@ picture() {
     wait_for 10 test -s "$shot" && return 0
   done
   fail "F12 wrote no picture"
+}
+
+# still_picture: pictures until two in a row are the same, which is then in `shot`: what was asked for has taken effect.
+still_picture() {
+  local before try
+  picture
+  for try in 1 2 3 4 5 6; do
+    before=$shot
+    picture
+    [ "$("$probe" differ "$before" "$shot")" = 0.000 ] && return 0
+  done
+  fail "the picture does not come to rest"
+}
+
+# another_picture BEFORE LEAST WORDS: pictures until one differs that much from the one before; fails with the words
+# where none does.
+another_picture() {
+  local difference try
+  for try in 1 2 3 4 5 6; do
+    picture
+    difference=$("$probe" differ "$1" "$shot")
+    awk -v a="$difference" -v b="$2" 'BEGIN { exit !(a >= b) }' && return 0
+    sleep 0.3
+  done
+  fail "$3: $difference, wanted at least $2"
 }
 
 # hide_panel: so that the mouse, from the next picture on, is over the scene.

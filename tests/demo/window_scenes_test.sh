@@ -3,12 +3,8 @@
 # be opened says why. $1: the program, $2: picture_probe.
 set -u
 program=$1 probe=$2
-if [ "${3:-}" != inside ]; then
-  exec xvfb-run --auto-servernum --server-args='-screen 0 1024x768x24 -noreset' "$0" "$program" "$probe" inside
-fi
 . "$(dirname "$0")/window_helpers.sh"
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"; kill $child 2>/dev/null' EXIT
+open_display
 
 # refuses PATTERN COMMAND...: exit status 2, with that on stderr.
 refuses() {
@@ -25,7 +21,7 @@ refuses 'OpenGL 3.3 is not available.*--headless' env MESA_GL_VERSION_OVERRIDE=2
 refuses 'no display.*--headless' env -u DISPLAY -u WAYLAND_DISPLAY "$program" drape
 
 for scene in $("$program" --list | grep -v '^ '); do
-  open_window "$scene" --resolution 16 --seconds 5 --speed 10 --size 320 180
+  open_window "$scene" --resolution 16 --seconds 5 --speed 0 --size 320 180
   wait_for 30 test -s "$folder/stdout" || fail "$scene does not come to its end"
   picture
   at_least "$("$probe" spread "$shot")" 10 "$scene is blank"

@@ -3,23 +3,16 @@
 # $1: the program, $2: picture_probe.
 set -u
 program=$1 probe=$2
-if [ "${3:-}" != inside ]; then
-  exec xvfb-run --auto-servernum --server-args='-screen 0 1024x768x24 -noreset' "$0" "$program" "$probe" inside
-fi
 . "$(dirname "$0")/window_helpers.sh"
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"; kill $child 2>/dev/null' EXIT
+open_display
 
 open_window flag --resolution 16 --size 480 270
 picture
 at_least "$("$probe" spread "$shot")" 15 "the first picture is blank"
 
 # Standing still, the picture stays the same, through resizing, hiding, and everything in the panel but water.
-xdotool key space
-sleep 0.5
-xdotool key Down # dry
-sleep 0.5
-picture
+xdotool key space Down # dry
+still_picture
 dry=$shot
 xdotool windowsize --sync "$window" 700 400
 sleep 0.3
@@ -35,41 +28,31 @@ picture
 
 # Ten steps of wetting, while the sheets hang as they hung.
 for _ in 1 2 3 4 5 6 7 8 9 10; do xdotool key Up; done
-sleep 0.5
-picture
-at_least "$("$probe" differ "$dry" "$shot")" 0.5 "dry and wet look alike"
+another_picture "$dry" 0.5 "dry and wet look alike"
 wet=$shot
 
 # The view of water, and dry and wet side by side.
 xdotool key v
-sleep 0.5
-picture
-at_least "$("$probe" differ "$wet" "$shot")" 2 "the view of water looks like the beauty"
+another_picture "$wet" 2 "the view of water looks like the beauty"
 xdotool key v key v key v key s key space
-sleep 1
-picture
-at_least "$("$probe" differ "$wet" "$shot")" 2 "the split picture looks like one"
+another_picture "$wet" 2 "the split picture looks like one"
 at_least "$("$probe" spread "$shot")" 15 "the split picture is blank"
 
 # Orbit, pan and zoom beside the cloth, reset, steps, and the next scenes, all with the panel.
+before=$shot
 xdotool key s
-sleep 0.5
-picture
+another_picture "$before" 2 "the split picture stays"
 before=$shot
 hide_panel
 xdotool mousemove --window "$window" 240 250 mousedown 1 mousemove --window "$window" 300 200 mouseup 1
 xdotool mousedown 3 mousemove --window "$window" 280 220 mouseup 3 click 4 click 5 click 4
 xdotool key space key period key period key Right key r
-sleep 0.5
-picture
-at_least "$("$probe" differ "$before" "$shot")" 2 "the mouse does not move the camera"
-for _ in 1 2 3; do
-  xdotool key Next
-  sleep 0.7
+another_picture "$before" 2 "the mouse does not move the camera"
+for key in Next Next Next Prior; do
+  xdotool key $key
+  sleep 0.5
 done
-xdotool key Prior
-sleep 0.7
-picture
+another_picture "$shot" 2 "the next scene looks like the one before"
 at_least "$("$probe" spread "$shot")" 10 "the next scene is blank"
 close_window
 grep -q 'check\|trouble\|error' "$folder/stderr" && fail "there is something on stderr"

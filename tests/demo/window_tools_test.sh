@@ -3,13 +3,10 @@
 # $2: picture_probe.
 set -u
 program=$1 probe=$2
-if [ "${3:-}" != inside ]; then
-  exec xvfb-run --auto-servernum --server-args='-screen 0 1024x768x24 -noreset' "$0" "$program" "$probe" inside
-fi
 . "$(dirname "$0")/window_helpers.sh"
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"; kill $child $other 2>/dev/null' EXIT
+open_display
 other=
+trap 'kill $child $other $display 2>/dev/null; wait; rm -rf "$folder"' EXIT
 
 # ended: waits for the program, which must end well by itself.
 ended() {
@@ -26,7 +23,7 @@ supplied_at() {
 # The same numbers bit for bit with and without a window.
 for scene in flag rain; do
   "$program" $scene --headless --seconds 2 --resolution 16 --csv "$folder/headless.csv" >/dev/null 2>&1
-  open_window $scene --seconds 2 --resolution 16 --size 320 180 --quit-at-end --csv "$folder/window.csv"
+  open_window $scene --seconds 2 --resolution 16 --speed 0 --size 320 180 --quit-at-end --csv "$folder/window.csv"
   ended
   cmp "$folder/headless.csv" "$folder/window.csv" || fail "$scene in a window is not as without one"
 done
