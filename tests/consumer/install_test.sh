@@ -12,16 +12,15 @@ if grep -rnF -e "$sources" -e "$build" "$prefix" --include='*.cmake' --include='
   exit 1
 fi
 
-library=$(find "$prefix" -name 'libdrench*.so' | head -n 1)
-[ -n "$library" ] || exit 0
-readelf -d "$library" | grep -q 'SONAME.*\.so\.[0-9]*\.[0-9]*\]' || { echo "$library has no SONAME"; exit 1; }
-
-# The names below namespace drench that the library shows, each by its first part.
-shown=$(nm -DC --defined-only "$library" | sed -nE 's/.* [TBDR] drench::((bullet_[a-z]+|fabrics)::)?([A-Za-z]+).*/\3/p' |
-  sort -u)
-for name in $shown; do
-  grep -rqE "DRENCH_API [^;]*\b$name\b" "$prefix/include/drench" || {
-    echo "$library shows drench::$name, which is no public name"
-    exit 1
-  }
+# A shared library says which versions may take its place, and shows of namespace drench what is marked in the headers.
+find "$prefix" -name 'libdrench*.so' | while read -r library; do
+  readelf -d "$library" | grep -q 'SONAME.*\.so\.[0-9]*\.[0-9]*\]' || { echo "$library has no SONAME"; exit 1; }
+  # Of each name the first part that is no namespace.
+  nm -DC --defined-only "$library" | sed -nE 's/.* [TBDR] drench::([a-z_0-9]+::)*([A-Za-z]+).*/\2/p' | sort -u |
+    while read -r name; do
+      grep -rqE "DRENCH_API [^;]*\b$name\b" "$prefix/include/drench" || {
+        echo "$library shows drench::$name, which is no public name"
+        exit 1
+      }
+    done
 done

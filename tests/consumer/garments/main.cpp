@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <list>
 #include <memory>
 #include <string>
@@ -120,15 +121,8 @@ bool isWhole(Garment& garment) {
            std::abs(garment.cloth().ledger().imbalance()) < 1e-9;
 }
 
-}  // namespace
-
-int main(int count, char** arguments) {
-    if (count != 2) {
-        std::printf("usage: garments MESH.obj\n");
-        return 2;
-    }
-    const TriangleMesh skirt = readObj(arguments[1]);
-
+/// Hangs up skirts, steams one, takes one away for another. @return whether all went well
+bool changeClothes(const TriangleMesh& skirt) {
     Wardrobe wardrobe;
     std::list<Garment> garments;
     const drench::Fabric fabrics[] = {drench::fabrics::cottonPlain(), drench::fabrics::denim(),
@@ -158,5 +152,20 @@ int main(int count, char** arguments) {
     garments.clear();
     wardrobe.run(0.1);
     std::printf("hem of cotton at %.4f m dry, %.1f g of steam on it\n", dryHem, 1000 * steamed);
-    return good ? 0 : 1;
+    return good;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) {
+        std::printf("usage: garments MESH.obj\n");
+        return 2;
+    }
+    try {
+        return changeClothes(readObj(arguments[1])) ? 0 : 1;
+    } catch (const std::exception& error) {  // of the mesh, or what Drench does not take
+        std::printf("%s\n", error.what());
+        return 2;
+    }
 }

@@ -12,12 +12,11 @@ TriangleMesh readObj(const std::string& path) {
     for (std::string line, kind, corner; std::getline(file, line);) {
         std::istringstream words(line);
         words >> kind;
-        if (kind == "v")
-            for (btScalar x; words >> x;) mesh.coordinates.push_back(x);
-        else if (kind == "f")
+        btScalar x, y, z;
+        if (kind == "v" && words >> x >> y >> z) mesh.coordinates.insert(mesh.coordinates.end(), {x, y, z});
+        if (kind == "f")
             while (words >> corner) mesh.corners.push_back(std::stoi(corner) - 1);  // "7/2/1" reads as 7
-        if (mesh.coordinates.size() % 3 != 0 || mesh.corners.size() % 3 != 0)
-            throw std::runtime_error(path + ": neither a vertex nor a triangle: " + line);
+        if (mesh.corners.size() % 3 != 0) throw std::runtime_error(path + ": not a triangle: " + line);
     }
     return mesh;
 }

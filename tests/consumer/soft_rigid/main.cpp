@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 namespace {
 
@@ -64,6 +65,13 @@ class Yard {
     }
 
   private:
+    static btRigidBody makeGround(btCollisionShape& shape) {
+        btRigidBody::btRigidBodyConstructionInfo settings(0, nullptr, &shape);
+        settings.m_startWorldTransform.setIdentity();
+        settings.m_startWorldTransform.setOrigin({0, btScalar(-0.5), 0});
+        return btRigidBody(settings);
+    }
+
     static void blow(btDynamicsWorld* world, btScalar) {
         auto* yard = static_cast<Yard*>(world->getWorldUserInfo());
         yard->jelly_->addForce({btScalar(0.02), 0, 0});
@@ -80,13 +88,6 @@ class Yard {
     btRigidBody ground_ = makeGround(groundShape_);
     std::unique_ptr<btSoftBody> jelly_;
     int breezes_ = 0;
-
-    static btRigidBody makeGround(btCollisionShape& shape) {
-        btRigidBody::btRigidBodyConstructionInfo settings(0, nullptr, &shape);
-        settings.m_startWorldTransform.setIdentity();
-        settings.m_startWorldTransform.setOrigin({0, btScalar(-0.5), 0});
-        return btRigidBody(settings);
-    }
 };
 
 /// A square metre of linen that hangs from a line by its two upper corners.
@@ -98,7 +99,7 @@ class Laundry {
                                    drench::flatCorners({place, 2, 0}, {1, 0, 0}, {0, -1, 0}), nodes, nodes)) {
         sheet_->m_nodes[0].m_im = 0;
         sheet_->m_nodes[nodes - 1].m_im = 0;
-        sheet_->m_cfg.kDP = btScalar(0.02);
+        sheet_->m_cfg.kDP = btScalar(0.002);
         world_.addSoftBody(sheet_.get());
         cloth_ = std::make_unique<drench::WetCloth>(world_, *sheet_, drench::fabrics::linen());
     }
@@ -131,6 +132,17 @@ void run(Yard& yard) {
         yard.world().stepSimulation(frame, substepsAFrame + 1, frame / substepsAFrame);
 }
 
+/// Drench says what it cannot do by exceptions of the standard library.
+bool refusesSpray(drench::WetCloth& cloth, double rate) {
+    try {
+        cloth.add(drench::Spray({0, 2, 0}, {0, -1, 0}, rate));
+    } catch (const std::invalid_argument& error) {
+        std::printf("as it should be: %s\n", error.what());
+        return true;
+    }
+    return false;
+}
+
 bool expect(bool holds, const char* what) {
     if (!holds) std::printf("not so: %s\n", what);
     return holds;
@@ -157,6 +169,7 @@ int main() {
                 wet.lowerEdge(), water.supplied, water.held);
 
     bool good = true;
+    good &= expect(refusesSpray(dry.cloth(), -1), "a hose that sucks is refused");
     good &= expect(1.0 / 60 / substepsAFrame < wet.cloth().stepBound(), "the substeps are short enough");
     good &= expect(wet.lowerEdge() < dry.lowerEdge() - 1e-3, "the wet sheet hangs lower");
     good &= expect(water.supplied > 0.2, "the hose has brought water");
