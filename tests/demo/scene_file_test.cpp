@@ -232,14 +232,14 @@ TEST(SceneFile, RefusesBombs) {
     std::string solids = "{\"solids\": [{}";
     for (int i = 0; i < 1000; ++i) solids += ",{}";
     EXPECT_NE(refusal(solids + "]}").find("solids is a list of 1001"), std::string::npos);
-    JsonLimits tight;
+    files::JsonLimits tight;
     tight.values = 1000;
     std::string many = "[0";
     for (int i = 0; i < 2000; ++i) many += ",0";
-    EXPECT_THROW(parseJson(many + "]", tight), std::invalid_argument);
+    EXPECT_THROW(files::parseJson(many + "]", tight), std::invalid_argument);
     tight = {};
     tight.bytes = 100;
-    EXPECT_THROW(parseJson(std::string(101, ' '), tight), std::invalid_argument);
+    EXPECT_THROW(files::parseJson(std::string(101, ' '), tight), std::invalid_argument);
 }
 
 TEST(SceneFile, MessagesAreShortAndPlain) {
