@@ -7,6 +7,7 @@
 #include "drench/drying.h"
 #include "drench/fabric.h"
 #include "drench/falling_drops.h"
+#include "drench/health.h"
 #include "drench/ledger.h"
 #include "drench/moisture.h"
 #include "drench/sheet.h"
