@@ -8,6 +8,7 @@
 #include "drench/export.h"
 #include "drench/fabric.h"
 #include "drench/falling_drops.h"
+#include "drench/health.h"
 #include "drench/ledger.h"
 #include "drench/moisture.h"
 #include "drench/sheet.h"

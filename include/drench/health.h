@@ -29,7 +29,7 @@ enum class Trouble {
     force,
     /// The inverse mass of a node was not finite, or negative: it got that of its cloth and water.
     mass,
-    /// The small steps of a substep came to something not finite: the sheet stayed where it was, at rest.
+    /// The small steps of a substep took a node nowhere finite, or over 1e9 m off: the sheet stayed where it was, at rest.
     motion,
     /// Gravity was not finite, or over 1e4 m/s2: the world info got the last usable one.
     gravity,
@@ -46,11 +46,11 @@ enum class Trouble {
 /// One kind of trouble of one sheet, since its WetCloth was made or its reports were cleared.
 struct TroubleReport {
     Trouble what;
-    std::string message;        ///< what, where, and how to mend it, as of the last time
-    int node;                   ///< that had it the last time, the first of several; -1 where it is not of one node
-    double value;               ///< the offending one of the last time; 0 where there is none
-    double since;               ///< when it came first, s of the body's time since the WetCloth was made
-    double last;                ///< when it came last, s
+    std::string message;  ///< what, where, and how to mend it, as of the last time
+    int node;             ///< that had it the last time, the first of several; -1 where it is not of one node
+    double value;         ///< the offending one of the last time; 0 where there is none
+    double since;         ///< when it came first, s of the body's time since the WetCloth was made
+    double last;          ///< when it came last, s
     std::int64_t firstSubstep;  ///< number of the substep in which it came first, from 0
     std::int64_t lastSubstep;   ///< and last
     std::int64_t substeps;      ///< in how many substeps it came
@@ -69,7 +69,7 @@ struct SheetHealth {
     double stepBound;
     /// Small steps of the last substep; 0 where no SmallStepSolver moves the sheet.
     int smallSteps;
-    /// Substeps, since the WetCloth was made, whose small steps came to something not finite, so that the
+    /// Substeps, since the WetCloth was made, whose small steps took a node nowhere finite, or over 1e9 m off, so that the
     /// sheet stayed where it was, at rest. 0 but for forces or obstacles beyond all measure.
     int heldSubsteps;
     /// Whether the body is the cloth that the WetCloth knows. If not, strain and penetration are 0, and the next

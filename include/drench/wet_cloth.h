@@ -73,8 +73,8 @@ struct SheetSettings {
 /// What this takes over of the body, and gives back when it ends:
 /// - node masses. Pins (inverse mass 0) stay pins, and may come and go while running;
 /// - link constants, and the rest lengths against a setMass in flight, after which Bullet would reset them;
-/// - the order of the links: hard links in mesh order blow up, so they come in colours meanwhile. Do not reorder them
-///   (randomizeConstraints) while attached;
+/// - the order of the links: hard links in mesh order blow up, so they come in colours meanwhile. Where they are
+///   reordered (randomizeConstraints), they are again, within 64 substeps;
 /// - the aero model: kDG and kLF are 0 meanwhile;
 /// - the collision shape, replaced by one that knows when the body is deleted. Ask getCollisionShape() for it
 ///   each time; its margin and user data carry over;
@@ -111,7 +111,12 @@ struct SheetSettings {
 /// world than its own the body is not stepped by it. Many bodies a world. Not thread-safe: use it from the
 /// thread that steps the world.
 ///
-/// Node indices are those of the body; each call that takes one throws std::out_of_range for one that is not there.
+/// The body may be cut, refined or sewn on to while attached (cutLink, refine, append...): at the next substep the WetCloth
+/// fits itself to what the body has become, with the water of each old face on its pieces. Old nodes keep their index. What
+/// is no cloth any more is left to Bullet, and reported. docs/health.md says more, and what happens where anything
+/// else goes wrong while the world runs.
+///
+/// Node indices are those of the body, as of the last substep; each call that takes one throws std::out_of_range for one that is not there.
 class DRENCH_API WetCloth {
   public:
     /// Attaches to a body, in the world or not yet in it.
@@ -276,12 +281,10 @@ class DRENCH_API WetCloth {
     /// std::invalid_argument when a plane shape has come that the body can meet. Does nothing while the body is in no
     /// world or no longer exists.
     /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive
-    ///     and finite, air or a source's setting out of range, and whatever a source of your own throws;
-    ///     std::runtime_error if a position, velocity or force of the body, its timescale, the wind, also that of its
-    ///     field, or the gravity is not finite, the gravity is over 1e4 m/s2, if its nodes, links or faces have changed in number,
-    ///     or, in the deformable world, for explicit substeps beyond `stepBound` and implicit ones without
-    ///     projection. The body is then as before the call; of the sources, those before the one that threw have
-    ///     given.
+    ///     and finite; std::runtime_error, in the deformable world, for explicit substeps beyond `stepBound` and implicit
+    ///     ones without projection. With OnTrouble::throwError also std::runtime_error for each `Trouble`, and for `air`
+    ///     and `source` what was thrown there. The body is then as before the call; of the sources, those before the one
+    ///     that threw have given.
     void preSubstep(btScalar dt);
 
   private:

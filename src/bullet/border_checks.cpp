@@ -98,8 +98,8 @@ void checkContacts(const btSoftBody& body, const RestShape& shape) {
                " m; call body.getWorldInfo()->m_sparsesdf.setDefaultVoxelsz(", link / 2,
                ") and then m_sparsesdf.Reset()");
     const double margin = double(body.getCollisionShape()->getMargin());
-    if (margin > link)
-        refuse("the body's collision margin is ", margin, " m, larger than its mean link of ", link,
+    if (!(margin >= 0 && margin <= link))
+        refuse("the body's collision margin is ", margin, " m, which is below 0 or larger than its mean link of ", link,
                " m; call body.getCollisionShape()->setMargin(", link / 4, ")");
 }
 

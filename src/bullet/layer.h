@@ -129,7 +129,7 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     Troubles troubles;
     int objectsChecked = 0;  // collision objects in the world when it was last looked through for planes
     Air air;
-    Air usedAir;  // the last that was in range
+    Air usedAir;                                 // the last that was in range
     btVector3 usedGravity = btVector3(0, 0, 0);  // the last that was, m/s2
 
     const Fabric fabric;
@@ -165,9 +165,9 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     std::vector<Contact> contacts;  // of each node
     double touchedUntil = -1;       // by which the last of them ends
 
-    std::vector<Arrival> arrivals;  // since the last substep
-    int heldSubsteps = 0;           // that have been reported
-    int refits = 0;                 // to a body that was cut
+    std::vector<Arrival> arrivals;   // since the last substep
+    int heldSubsteps = 0;            // that have been reported
+    int refits = 0;                  // to a body that was cut
     PartCounts refused = {0, 0, 0};  // of the body that could not be followed last
     std::string whyRefused;
     std::vector<btVector3> strangersPlaces;  // of its nodes, m

@@ -68,10 +68,11 @@ bool WetCloth::Layer::fitToBody() {
         } catch (const std::invalid_argument& problem) {
             whyRefused = problem.what();
         }
-    troubles.note(Trouble::topology,
-                  "the body's nodes, links or faces have changed to what the WetCloth cannot follow (" + whyRefused +
-                      "); append and cut so that old nodes keep their index and faces have an area, or destroy the "
-                      "WetCloth before the change and make another after");
+    troubles.note(
+        Trouble::topology,
+        "the body's nodes, links or faces have changed to what the WetCloth cannot follow (" + whyRefused +
+            "); append and cut so that old nodes keep their index and faces have an area, or destroy the "
+            "WetCloth before the change and make another after");
     leaveToBullet();
     return false;
 }
@@ -139,7 +140,8 @@ void WetCloth::Layer::reportHeldSubsteps() {
     if (std::exchange(heldSubsteps, mechanics.heldSubsteps) == mechanics.heldSubsteps) return;
     troubles.note(Trouble::motion,
                   "the small steps of the last substep took node " + std::to_string(mechanics.heldNode) +
-                      " to a place that is not finite, so the sheet stayed where it was, at rest; look for forces, "
+                      " to a place that is not finite, or over 1e9 m off, so the sheet stayed where it was, "
+                      "at rest; look for forces, "
                       "speeds or obstacles beyond all measure",
                   mechanics.heldNode);
 }

@@ -88,11 +88,12 @@ class NodeMender {
   private:
     void mendPlace(int n, double off) {
         btSoftBody::Node& node = body_.m_nodes[n];
-        troubles_.note(Trouble::position,
-                       text("node ", n, " is at ", off,
-                            " m along an axis; a force, an obstacle or a setting has blown the sheet up in the "
-                            "substep before"),
-                       n, off);
+        troubles_.note(
+            Trouble::position,
+            text("node ", n, " is at ", off,
+                 " m along an axis; a force, an obstacle or a setting has blown the sheet up in the "
+                 "substep before"),
+            n, off);
         node.m_x = node.m_q = lastPlaceOf(n);
         node.m_v.setZero();
         const btScalar margin = body_.getCollisionShape()->getMargin();
@@ -107,7 +108,8 @@ class NodeMender {
         for (int i = 0; i < body_.m_links.size(); ++i)
             for (int end = 0; end < 2; ++end) {
                 const btSoftBody::Node& other = *body_.m_links[i].m_n[1 - end];
-                if (body_.m_links[i].m_n[end] == node && !isOff(excess(other.m_x, farthestPlace))) return other.m_x;
+                if (body_.m_links[i].m_n[end] == node && !isOff(excess(other.m_x, farthestPlace)))
+                    return other.m_x;
             }
         return lastGood_.empty() ? btVector3(0, 0, 0) : lastGood_[0];
     }
@@ -117,8 +119,9 @@ class NodeMender {
         const auto at = static_cast<std::size_t>(n);
         const double off = double(node.m_im), mass = at < masses_.size() ? masses_[at] : 0;
         troubles_.note(Trouble::mass,
-                       text("node ", n, " has an inverse mass of ", off, " /kg; leave masses to Drench, and set "
-                                                                         "m_im = 0 for a pin"),
+                       text("node ", n, " has an inverse mass of ", off,
+                            " /kg; leave masses to Drench, and set "
+                            "m_im = 0 for a pin"),
                        n, off);
         node.m_im = mass > 0 ? btScalar(1 / mass) : 0;
     }
@@ -137,7 +140,7 @@ void mendSettings(btSoftBody& body, Troubles& troubles) {
         if (value >= setting.least && value <= setting.most) continue;
         troubles.note(Trouble::bodySetting,
                       text("the body's m_cfg.", setting.name, " is ", value, "; give ",
-                           setting.least > 0    ? "a positive finite number (to pause a sheet, do not step it)"
+                           setting.least > 0 ? "a positive finite number (to pause a sheet, do not step it)"
                            : setting.least == 0 ? "a finite number of at least 0"
                                                 : "a finite number",
                            ", as Bullet does with ", setting.standard),

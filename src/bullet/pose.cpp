@@ -39,8 +39,7 @@ bool Pose::gather(const btSoftBody& body, const ClothMesh& mesh) {
         const btVector3 all = node.m_x + velocity + node.m_f;
         sum += (all.x() + all.y() + all.z() + node.m_im) * 0;  // NaN for what is not finite
     }
-    const bool isSound = sum == 0 && lightest >= 0 &&
-                         double(farthest[farthest.maxAxis()]) <= farthestPlace &&
+    const bool isSound = sum == 0 && lightest >= 0 && double(farthest[farthest.maxAxis()]) <= farthestPlace &&
                          double(fastest[fastest.maxAxis()]) <= fastestNode;
     if (isSound) {
         origin = first;

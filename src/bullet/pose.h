@@ -29,7 +29,7 @@ struct Pose {
     void gatherMotion(const btSoftBody& body);
 
     btVector3 origin = btVector3(0, 0, 0);  // of the places, m: the first node
-    std::vector<MovingNode> places;         // m, from there, so that far from the world's origin digits are kept
+    std::vector<MovingNode> places;  // m, from there, so that far from the world's origin digits are kept
     std::vector<MovingNode> speeds;  // m/s
     std::vector<float> heights;      // m, of places along `up`
     Eigen::Vector3d meanVelocity = Eigen::Vector3d::Zero();  // of the cloth, by its nodes' areas, m/s

@@ -52,13 +52,15 @@ class Recutter {
     void findFacesAround() {
         facesAround_.resize(static_cast<std::size_t>(oldNodes_));
         for (std::size_t t = 0; t < old_.triangles.size(); ++t)
-            for (const int node : old_.triangles[t]) facesAround_[static_cast<std::size_t>(node)].push_back(t);
+            for (const int node : old_.triangles[t])
+                facesAround_[static_cast<std::size_t>(node)].push_back(t);
     }
 
     int checkedIndex(const btSoftBody::Node* node, const char* what, int of) const {
         const btSoftBody::Node* const first = &body_.m_nodes[0];
         if (std::less<>()(node, first) || !std::less<>()(node, first + body_.m_nodes.size()))
-            throw std::invalid_argument(what + (" " + std::to_string(of)) + " joins a node that is not the body's");
+            throw std::invalid_argument(what + (" " + std::to_string(of)) +
+                                        " joins a node that is not the body's");
         return indexOf(body_, node);
     }
 
@@ -179,7 +181,8 @@ class Recutter {
 
     /// What stands on the old nodes, on the new ones.
     std::vector<double> pour(const Moisture& moisture, const std::vector<double>& masses) const {
-        std::vector<double> sums(old_.triangles.size(), 0.0);  // of the pieces of each old face, before scaling
+        std::vector<double> sums(old_.triangles.size(),
+                                 0.0);  // of the pieces of each old face, before scaling
         for (std::size_t f = 0; f < origins_.size(); ++f)
             for (std::size_t corner = 0; corner < 3; ++corner)
                 sums[origins_[f]] += share(f, corner, moisture, masses);
@@ -202,8 +205,8 @@ class Recutter {
                  const std::vector<double>& masses) const {
         double density = 0;
         for (std::size_t k = 0; k < 3; ++k)
-            density += weights_[face][corner][k] *
-                       perArea(old_.triangles[origins_[face]][k], moisture, masses);
+            density +=
+                weights_[face][corner][k] * perArea(old_.triangles[origins_[face]][k], moisture, masses);
         return density * cut_.shape.triangleAreas[face] / 3;
     }
 
@@ -227,7 +230,8 @@ class Recutter {
 
 }  // namespace
 
-Recut recutOf(const btSoftBody& body, const RestShape& shape, const ClothMesh& mesh, const Moisture& moisture) {
+Recut recutOf(const btSoftBody& body, const RestShape& shape, const ClothMesh& mesh,
+              const Moisture& moisture) {
     return Recutter(body, shape, mesh).cut(moisture);
 }
 

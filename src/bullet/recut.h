@@ -31,7 +31,8 @@ struct Recut {
 ///
 /// @param shape, mesh  as they were; links in the body's order
 /// @throws std::invalid_argument for a body that is no cloth, or no longer this one
-Recut recutOf(const btSoftBody& body, const RestShape& shape, const ClothMesh& mesh, const Moisture& moisture);
+Recut recutOf(const btSoftBody& body, const RestShape& shape, const ClothMesh& mesh,
+              const Moisture& moisture);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

@@ -65,7 +65,8 @@ std::vector<btVector3> positionsOf(const Corners& c, const Grid& grid) {
 
 /// Bullet puts one node after the other into its tree, which row by row gets ever deeper: a million nodes take minutes.
 /// So they come in a random order, after which nodes and leaves are put back in theirs.
-std::unique_ptr<btSoftBody> bodyOfNodes(btSoftBodyWorldInfo& worldInfo, const std::vector<btVector3>& positions) {
+std::unique_ptr<btSoftBody> bodyOfNodes(btSoftBodyWorldInfo& worldInfo,
+                                        const std::vector<btVector3>& positions) {
     std::vector<int> order(positions.size());
     std::minstd_rand random;  // the same with every standard library, as a shuffle of theirs is not
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -75,7 +76,8 @@ std::unique_ptr<btSoftBody> bodyOfNodes(btSoftBodyWorldInfo& worldInfo, const st
     std::vector<btVector3> shuffled;
     shuffled.reserve(positions.size());
     for (const int node : order) shuffled.push_back(positions[static_cast<std::size_t>(node)]);
-    auto body = std::make_unique<btSoftBody>(&worldInfo, static_cast<int>(order.size()), shuffled.data(), nullptr);
+    auto body =
+        std::make_unique<btSoftBody>(&worldInfo, static_cast<int>(order.size()), shuffled.data(), nullptr);
 
     std::vector<btDbvtNode*> leaves;
     leaves.reserve(positions.size());

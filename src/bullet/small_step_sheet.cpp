@@ -9,6 +9,7 @@
 
 #include "../water/plate_bending.h"
 #include "independent_blocks.h"
+#include "mending.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -359,14 +360,16 @@ void SmallStepSheet::place(std::size_t node, const btVector3& by) {
     shift(predicted_[node], by);
 }
 
-int SmallStepSheet::firstNotFinite() const {
-    const auto isOff = [](const MovingNode& moved) { return !std::isfinite(moved.x + moved.y + moved.z); };
+int SmallStepSheet::firstLost() const {
+    const auto isOff = [](const MovingNode& moved) {
+        return !(std::abs(moved.x) + std::abs(moved.y) + std::abs(moved.z) <= float(farthestPlace));
+    };
     const auto found = std::find_if(moved_.begin(), moved_.end() - 1, isOff);  // the spare one does not count
     return found == moved_.end() - 1 ? -1 : static_cast<int>(found - moved_.begin());
 }
 
 int SmallStepSheet::finish(btSoftBody& body) {
-    const int off = firstNotFinite();
+    const int off = firstLost();
     const bool finite = off < 0;
     const auto perSecond = btScalar(1 / smallStep_);
     end_.resize(count_);

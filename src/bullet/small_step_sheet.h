@@ -53,8 +53,8 @@ class SmallStepSheet {
     void solveCloth();
 
     /// Writes positions and velocities.
-    /// @return -1 if they are finite; else the first node whose place is not, and the body stays where the substep
-    ///     began, at rest
+    /// @return -1 if they are places that one can calculate with; else the first node whose place is not, and the body
+    ///     stays where the substep began, at rest
     int finish(btSoftBody& body);
     /// Writes the normals of faces and nodes as they are after that.
     void writeNormals(btSoftBody& body);
@@ -92,7 +92,7 @@ class SmallStepSheet {
     int stepsBetweenPlates(const SheetMechanics& mechanics, int steps) const;
     bool isWhereItWas(const btSoftBody& body) const;
     void renewMoments();
-    int firstNotFinite() const;
+    int firstLost() const;
     void boundNodes(const btSoftBody& body);
     void beginNode(const btSoftBody::Node& node, std::size_t n, const btVector3& gravity);
     void beginPin(const btSoftBody::Node& node, std::size_t n);

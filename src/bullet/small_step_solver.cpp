@@ -255,7 +255,8 @@ void SmallStepSolver::solveConstraints(btScalar substep) {
         if (SheetMechanics* const mechanics = movedHere(body))
             state_->sheets.push_back({&body, mechanics, mechanics->moving.get()});
         else if (isCut(body))
-            state_->softContacts.clear();  // which are of nodes that are gone; the cloth waits for the next substep
+            state_->softContacts
+                .clear();  // which are of nodes that are gone; the cloth waits for the next substep
         else
             body.solveConstraints();
     }

@@ -48,7 +48,8 @@ void TakenOver::orderLinks(btSoftBody& body, SheetMechanics& mechanics) {
 void TakenOver::recut(btSoftBody& body, SheetMechanics& mechanics, const std::vector<double>& oldAreas,
                       const std::vector<double>& dryMasses) {
     const auto links = static_cast<std::size_t>(body.m_links.size());
-    if (links < linkOrder_.size()) linkOrder_.clear();  // the links that are gone leave no order to go back to
+    if (links < linkOrder_.size())
+        linkOrder_.clear();  // the links that are gone leave no order to go back to
     while (linkOrder_.size() < links) linkOrder_.push_back(static_cast<int>(linkOrder_.size()));
     orderLinks(body, mechanics);
     for (std::size_t n = 0; n < dryMasses.size(); ++n) {

@@ -29,7 +29,8 @@ void moveAnchors(btSoftBody& body, const btSoftBody::Node* from) {
     const auto start = reinterpret_cast<std::uintptr_t>(from);
     for (int i = 0; i < body.m_deformableAnchors.size(); ++i) {
         btSoftBody::Node*& node = body.m_deformableAnchors[i].m_node;
-        const std::uintptr_t index = (reinterpret_cast<std::uintptr_t>(node) - start) / sizeof(btSoftBody::Node);
+        const std::uintptr_t index =
+            (reinterpret_cast<std::uintptr_t>(node) - start) / sizeof(btSoftBody::Node);
         const bool isNew = node >= &body.m_nodes[0] && node < &body.m_nodes[0] + body.m_nodes.size();
         if (!isNew && index < static_cast<std::uintptr_t>(body.m_nodes.size()))
             node = &body.m_nodes[static_cast<int>(index)];
@@ -59,7 +60,8 @@ bool TopologyWatch::isAsItWas(const btSoftBody& body, const RestShape& shape) {
     const btSoftBody::Node* const nodes = &body.m_nodes[0];
     const auto linkIsRight = [&](std::size_t i) {
         const btSoftBody::Link& link = body.m_links[static_cast<int>(i)];
-        return link.m_n[0] == nodes + shape.links[i].nodes[0] && link.m_n[1] == nodes + shape.links[i].nodes[1];
+        return link.m_n[0] == nodes + shape.links[i].nodes[0] &&
+               link.m_n[1] == nodes + shape.links[i].nodes[1];
     };
     const auto faceIsRight = [&](std::size_t i) {
         const btSoftBody::Face& face = body.m_faces[static_cast<int>(i)];

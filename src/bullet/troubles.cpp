@@ -26,7 +26,8 @@ void Troubles::write(Trouble what, const std::string& message, int node, double 
     // Of several in one substep, such as all nodes at once, the first is the one to read of.
     if (report->substeps > 0 && report->lastSubstep == substep_) return;
     const std::string prefix = "drench: ";  // of what is thrown
-    report->message = message.compare(0, prefix.size(), prefix) == 0 ? message.substr(prefix.size()) : message;
+    report->message =
+        message.compare(0, prefix.size(), prefix) == 0 ? message.substr(prefix.size()) : message;
     report->node = node;
     report->value = value;
     report->last = time_;

@@ -155,9 +155,9 @@ void Moisture::recut(const Fabric& fabric, const ClothMesh& mesh, std::vector<do
                      std::vector<double> filmMass) {
     Moisture cut(fabric, mesh);
     for (const auto* masses : {&poreMass, &filmMass})
-        if (masses->size() != cut.size() ||
-            !std::all_of(masses->begin(), masses->end(),
-                         [](double mass) { return mass >= 0 && std::isfinite(mass); }))
+        if (masses->size() != cut.size() || !std::all_of(masses->begin(), masses->end(), [](double mass) {
+                return mass >= 0 && std::isfinite(mass);
+            }))
             throw std::invalid_argument("drench: water for " + std::to_string(masses->size()) + " nodes of " +
                                         std::to_string(cut.size()) +
                                         "; give a finite mass of at least 0 kg for each");

@@ -48,11 +48,13 @@ std::vector<Mishap> mishaps() {
     using Config = btSoftBody::Config;
     return {
         {"place", Trouble::position, 40, [=](AnyWorld& rig) { node(rig, 40).m_x.setY(nan); }, nothing},
-        {"far", Trouble::position, 41, [=](AnyWorld& rig) { node(rig, 41).m_x.setZ(btScalar(-1e12)); }, nothing},
+        {"far", Trouble::position, 41, [=](AnyWorld& rig) { node(rig, 41).m_x.setZ(btScalar(-1e12)); },
+         nothing},
         {"pin", Trouble::position, 3, [=](AnyWorld& rig) { node(rig, 3).m_x.setX(infinite); }, nothing},
         {"first", Trouble::position, 0, [=](AnyWorld& rig) { node(rig, 0).m_x.setX(nan); }, nothing},
         {"velocity", Trouble::velocity, 42, [=](AnyWorld& rig) { node(rig, 42).m_v.setX(nan); }, nothing},
-        {"fast", Trouble::velocity, 43, [=](AnyWorld& rig) { node(rig, 43).m_v.setX(btScalar(1e20)); }, nothing},
+        {"fast", Trouble::velocity, 43, [=](AnyWorld& rig) { node(rig, 43).m_v.setX(btScalar(1e20)); },
+         nothing},
         {"force", Trouble::force, 44, [=](AnyWorld& rig) { node(rig, 44).m_f.setZ(-infinite); }, nothing},
         {"mass", Trouble::mass, 45, [=](AnyWorld& rig) { node(rig, 45).m_im = nan; }, nothing},
         {"negative", Trouble::mass, 46, [=](AnyWorld& rig) { node(rig, 46).m_im = -5; }, nothing},
@@ -66,7 +68,8 @@ std::vector<Mishap> mishaps() {
         setting("friction", &Config::kDF, nan),
         setting("pause", &Config::timescale, 0),
         setting("backwards", &Config::timescale, -1),
-        {"scale", Trouble::bodySetting, -1, [](AnyWorld& rig) { rig.sheet().setRestLengthScale(nan); }, nothing},
+        {"scale", Trouble::bodySetting, -1, [](AnyWorld& rig) { rig.sheet().setRestLengthScale(nan); },
+         nothing},
         {"wind", Trouble::air, -1, [](AnyWorld& rig) { rig.cloth().air().wind.setConstant(std::nan("")); },
          [](AnyWorld& rig) { rig.cloth().air().wind.setZero(); }},
         {"storm", Trouble::air, -1, [](AnyWorld& rig) { rig.cloth().air().wind.setConstant(1e6); },
@@ -212,7 +215,8 @@ TEST(Health, AHealthySheetHasNoTroubles) {
         rig.cloth().soak(0.2);
         rig.cloth().air().wind = {0, 0, 5};
         rig.run(60);
-        EXPECT_TRUE(rig.cloth().troubles().empty()) << test::nameOf(mover) << rig.cloth().troubles()[0].message;
+        EXPECT_TRUE(rig.cloth().troubles().empty())
+            << test::nameOf(mover) << rig.cloth().troubles()[0].message;
         EXPECT_EQ(rig.cloth().health().troubles, 0);
         EXPECT_TRUE(rig.cloth().health().fits);
     }

@@ -109,7 +109,9 @@ TEST(Topology, ClothThatIsTornOffFalls) {
         rig.run(5);
         // Each link that crosses the middle is taken out of the body, and with the bottom row its faces.
         auto& links = rig.sheet().m_links;
-        const auto rowOf = [&](const btSoftBody::Node* node) { return int(node - &rig.sheet().m_nodes[0]) / across; };
+        const auto rowOf = [&](const btSoftBody::Node* node) {
+            return int(node - &rig.sheet().m_nodes[0]) / across;
+        };
         for (int i = links.size(); i-- > 0;)
             if ((rowOf(links[i].m_n[0]) < 5) != (rowOf(links[i].m_n[1]) < 5)) {
                 links.swap(i, links.size() - 1);
@@ -117,8 +119,8 @@ TEST(Topology, ClothThatIsTornOffFalls) {
             }
         auto& faces = rig.sheet().m_faces;
         for (int i = faces.size(); i-- > 0;) {
-            const int upper = (rowOf(faces[i].m_n[0]) < 5) + (rowOf(faces[i].m_n[1]) < 5) +
-                              (rowOf(faces[i].m_n[2]) < 5);
+            const int upper =
+                (rowOf(faces[i].m_n[0]) < 5) + (rowOf(faces[i].m_n[1]) < 5) + (rowOf(faces[i].m_n[2]) < 5);
             if (upper == 0 || upper == 3) continue;
             faces.swap(i, faces.size() - 1);
             faces.pop_back();
@@ -395,7 +397,8 @@ TEST(Topology, AnchorsOfTheDeformableWorldFollow) {
     rig.run(60);
     EXPECT_EQ(rig.sheet().m_deformableAnchors[0].m_node, &rig.sheet().m_nodes[at(8, 8)]);
     EXPECT_TRUE(rig.cloth().health().finite);
-    EXPECT_LT(double((weight.getWorldTransform().getOrigin() - rig.sheet().m_nodes[at(8, 8)].m_x).length()), 0.1);
+    EXPECT_LT(double((weight.getWorldTransform().getOrigin() - rig.sheet().m_nodes[at(8, 8)].m_x).length()),
+              0.1);
     rig.clothOwner().reset();
     rig.sheet().m_deformableAnchors.clear();
     rig.world().removeRigidBody(&weight);
