@@ -57,6 +57,13 @@ CLI::Validator endsLike(const std::vector<std::string>& endings) {
         all);
 }
 
+/// "cotton, polyester, ", and so on.
+std::string fabricNames() {
+    std::string names;
+    for (const std::string& name : fabrics::names()) names += name + ", ";
+    return names;
+}
+
 /// A ready fabric, or a fabric file that can be read.
 CLI::Validator namesFabric() {
     return CLI::Validator(
@@ -129,10 +136,9 @@ OwnChoices addSceneOptions(CLI::App& app, RunOptions& run, Words& words) {
     app.add_option("--resolution", run.sceneOptions.resolution, "nodes along the warp [the scene's own]")
         ->check(CLI::Range(8, 512));
     const CLI::Option* const fabric =
-        app.add_option(
-               "--fabric", run.sceneOptions.fabric,
-               "the cloth [cotton; slide: polyester; as in a scene file]: cotton, polyester, tropical, "
-               "wool, linen, silk, nylon, denim, jersey, or a fabric file; see docs/files.md")
+        app.add_option("--fabric", run.sceneOptions.fabric,
+                       "the cloth [cotton; slide: polyester; as in a scene file]: " + fabricNames() +
+                           "or a fabric file; see docs/files.md")
             ->check(namesFabric());
     app.add_option("--solver", words.solver,
                    "what moves the sheets: Drench's small steps, or stock Bullet's solver in many substeps "
