@@ -1,34 +1,20 @@
-# The packages that Drench stands on. Each is a system package; nothing is downloaded.
-find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+# The packages that Drench stands on. Each is a system package; nothing is downloaded. What the library's users
+# link with, too, is global, so that a project which adds this one by add_subdirectory knows it.
+if(NOT TARGET Eigen3::Eigen)
+  find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+  set_target_properties(Eigen3::Eigen PROPERTIES IMPORTED_GLOBAL TRUE)
+endif()
 
-# Bullet's own CMake config file is broken in several distributions, and find_package's module knows the
-# single-precision libraries only. pkg-config knows both.
-find_package(PkgConfig REQUIRED)
-if(DRENCH_DOUBLE_PRECISION)
-  set(DRENCH_BULLET_PACKAGE bullet-float64)
-else()
-  set(DRENCH_BULLET_PACKAGE bullet)
+include(DrenchBullet)
+drench_find_bullet(${DRENCH_DOUBLE_PRECISION} drench_bullet_missing)
+if(NOT TARGET drench::bullet)
+  message(FATAL_ERROR "${drench_bullet_missing}")
 endif()
-pkg_check_modules(DRENCH_BULLET ${DRENCH_BULLET_PACKAGE})
-
-add_library(drench_bullet INTERFACE)
-if(DRENCH_BULLET_FOUND)
-  target_include_directories(drench_bullet SYSTEM INTERFACE ${DRENCH_BULLET_INCLUDE_DIRS})
-  target_link_libraries(drench_bullet INTERFACE ${DRENCH_BULLET_LINK_LIBRARIES})
-elseif(NOT DRENCH_DOUBLE_PRECISION)
-  find_package(Bullet MODULE REQUIRED)
-  target_include_directories(drench_bullet SYSTEM INTERFACE ${BULLET_INCLUDE_DIRS})
-  target_link_libraries(drench_bullet INTERFACE ${BULLET_LIBRARIES})
-else()
-  message(FATAL_ERROR "Drench: double-precision Bullet was asked for, but pkg-config does not find bullet-float64. "
-                      "Install libbullet-dev, or set -DDRENCH_DOUBLE_PRECISION=OFF.")
-endif()
-if(DRENCH_DOUBLE_PRECISION)
-  target_compile_definitions(drench_bullet INTERFACE BT_USE_DOUBLE_PRECISION)
-endif()
+set_target_properties(drench::bullet PROPERTIES IMPORTED_GLOBAL TRUE)
 
 # The checksum of snapshots; only its header.
 find_path(DRENCH_XXHASH_INCLUDE xxhash.h REQUIRED)
 
 # Reads pictures: masks for soaking.
-pkg_check_modules(DRENCH_STB REQUIRED IMPORTED_TARGET stb)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(DRENCH_STB REQUIRED IMPORTED_TARGET GLOBAL stb)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/whole_file.h"
+#include "files/whole_file.h"
 
 #ifdef _WIN32
 #include "recorder_none.h"
@@ -31,7 +31,7 @@ std::vector<std::string> commandFor(const std::filesystem::path& file, int width
 
 Recorder::Recorder(const std::filesystem::path& file, int width, int height, double framesPerSecond)
     : file_(file), width_(width), height_(height) {
-    viewer::checkWritable(file);
+    files::checkWritable(file);
     ffmpeg_ = std::make_unique<Process>(commandFor(file, width, height, framesPerSecond));
 }
 

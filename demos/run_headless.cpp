@@ -22,7 +22,7 @@
 #include "viewer/image.h"
 #include "viewer/offscreen_context.h"
 #include "viewer/renderer.h"
-#include "viewer/whole_file.h"
+#include "files/whole_file.h"
 
 namespace drench::demo {
 
@@ -193,11 +193,11 @@ int runHeadless(Scene& scene, const RunOptions& options) {
 
 void checkTargets(const RunOptions& options) {
     if (!options.csv.empty()) {
-        viewer::checkWritable(options.csv);
-        viewer::checkWritable(besideFor(options.csv));
+        files::checkWritable(options.csv);
+        files::checkWritable(besideFor(options.csv));
     }
-    if (!options.saved.empty()) viewer::checkWritable(options.saved);
-    if (!options.frames.empty()) viewer::checkWritable(options.frames / "picture.png");
+    if (!options.saved.empty()) files::checkWritable(options.saved);
+    if (!options.frames.empty()) files::checkWritable(options.frames / "picture.png");
     if (!options.record.empty()) Recorder::check(options.record);
 }
 

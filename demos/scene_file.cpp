@@ -5,7 +5,7 @@
 
 #include "scene_exchange.h"
 #include "scene_json.h"
-#include "viewer/whole_file.h"
+#include "files/whole_file.h"
 
 namespace drench::demo {
 
@@ -61,7 +61,7 @@ void saveScene(const std::filesystem::path& path, const SceneDescription& descri
     } catch (const std::invalid_argument& problem) {
         throw std::runtime_error("the scene as it is now fits no scene file: " + std::string(problem.what()));
     }
-    viewer::writeWhole(path, text);
+    files::writeWhole(path, text);
 }
 
 }  // namespace drench::demo

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "viewer/whole_file.h"
+#include "files/whole_file.h"
 
 namespace drench::demo {
 
@@ -51,7 +51,7 @@ void writeCsv(const std::filesystem::path& path, const Table& table) {
         }
         text << '\n';
     }
-    viewer::writeWhole(path, text.str());
+    files::writeWhole(path, text.str());
 }
 
 }  // namespace drench::demo

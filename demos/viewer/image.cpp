@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "viewer/whole_file.h"
+#include "files/whole_file.h"
 
 namespace drench::viewer {
 
@@ -51,7 +51,7 @@ void writePng(const std::filesystem::path& path, const Image& image) {
                                3 * image.width) == 0) {
         throw fileError("write", path, "the PNG encoder ran out of memory");
     }
-    writeWhole(path, {bytes.data(), bytes.size()});
+    files::writeWhole(path, {bytes.data(), bytes.size()});
 }
 
 Image readPng(const std::filesystem::path& path) {

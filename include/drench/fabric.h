@@ -24,13 +24,16 @@ DRENCH_API std::string_view toString(Provenance provenance);
 /// A number of a fabric together with where it comes from. Reads as a double; assigning a plain number
 /// marks it as given by the application.
 struct Quantity {
-    double value = 0;
-    Provenance provenance = Provenance::given;
+    double value = 0;                           ///< in the unit of its parameter
+    Provenance provenance = Provenance::given;  ///< where it comes from
     std::string source;  ///< author and year, or the reason; may be empty unless measured
 
     Quantity() = default;
+    /// A value given by the application.
     Quantity(double v) : value(v) {}
+    /// A value with where it comes from.
     Quantity(double v, Provenance p, std::string s) : value(v), provenance(p), source(std::move(s)) {}
+    /// The value alone.
     operator double() const { return value; }
 };
 
@@ -115,11 +118,11 @@ struct DRENCH_API Fabric {
 
 /// One parameter of a fabric: its name as in `Fabric`, unit, range, and where it sits.
 struct FabricParameter {
-    std::string_view name;
-    std::string_view unit;
-    double minimum;
-    double maximum;
-    Quantity Fabric::*member;
+    std::string_view name;     ///< as in `Fabric`
+    std::string_view unit;     ///< such as "N/m"; "1" for a number without
+    double minimum;            ///< in that unit
+    double maximum;            ///< in that unit
+    Quantity Fabric::*member;  ///< where it sits
 };
 
 /// Every parameter of `Fabric`, in the order of its declaration.

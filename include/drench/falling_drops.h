@@ -57,9 +57,11 @@ class DRENCH_API FallingDrops {
     const std::vector<Flight>& inFlight() const { return flights_; }
     /// What landed in the last step elsewhere than on a sheet.
     const std::vector<Landing>& landed() const { return landed_; }
-    /// Of all drops that were taken: what landed on sheets, landed elsewhere, and was lost, kg.
+    /// What landed on sheets, of all drops that were taken, kg.
     double massOnSheets() const { return massOnSheets_; }
+    /// What landed elsewhere, kg.
     double massElsewhere() const { return massElsewhere_; }
+    /// What was lost, kg.
     double massLost() const { return massLost_; }
 
     /// Writes down the drops in the air and what has become of the others; `landed` starts anew. They go with snapshots

@@ -36,7 +36,7 @@ class DRENCH_API Moisture {
   public:
     /// Drops that fell from a node within one step.
     struct Shed {
-        std::size_t node;
+        std::size_t node;    ///< index of it
         std::int64_t drops;  ///< of `dropMass` kg each
     };
 
@@ -44,8 +44,8 @@ class DRENCH_API Moisture {
     /// @throws std::invalid_argument for a fabric or a mesh out of range.
     Moisture(const Fabric& fabric, const ClothMesh& mesh);
     ~Moisture();
-    Moisture(Moisture&&) noexcept;
-    Moisture& operator=(Moisture&&) noexcept;
+    Moisture(Moisture&&) noexcept;  ///< Takes over the water; the other may be destroyed or assigned to.
+    Moisture& operator=(Moisture&&) noexcept;  ///< The same.
 
     /// Number of nodes. Every `node` below is an index less than that; else std::out_of_range, where a call checks it.
     std::size_t size() const { return areas_.size(); }

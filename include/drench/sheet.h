@@ -18,10 +18,10 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// Where the four corners of a sheet are, m. The warp (material coordinate u) runs from `origin` to `warpEnd`, the weft
 /// (v) from `origin` to `weftEnd`.
 struct Corners {
-    btVector3 origin;
-    btVector3 warpEnd;
-    btVector3 weftEnd;
-    btVector3 opposite;
+    btVector3 origin;    ///< of node (0, 0)
+    btVector3 warpEnd;   ///< at the end of the first row
+    btVector3 weftEnd;   ///< at the beginning of the last row
+    btVector3 opposite;  ///< at the end of the last row
 };
 
 /// A parallelogram with one corner and its two sides, m.

@@ -73,18 +73,20 @@ class DRENCH_API SmallStepSolver final : public btDefaultSoftBodySolver {
     SmallStepSolver(const SmallStepSolver&) = delete;
     SmallStepSolver& operator=(const SmallStepSolver&) = delete;
 
+    /// What it was made with.
     const SmallSteps& settings() const;
     /// Small steps of the last substep; 0 before the first, or without sheets.
     int steps() const;
     /// The loops in use: "AVX2", "baseline vectors" or "scalar".
     const char* kernels() const;
 
-    // What Bullet calls.
+    /// @cond  What Bullet calls.
     void predictMotion(btScalar substep) override;
     void solveConstraints(btScalar substep) override;
     void updateSoftBodies() override;
     void processCollision(btSoftBody* body, const btCollisionObjectWrapper* solid) override;
     void processCollision(btSoftBody* body, btSoftBody* other) override;
+    /// @endcond
 
   private:
     struct DRENCH_LOCAL State;

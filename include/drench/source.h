@@ -22,7 +22,7 @@ class DRENCH_API Shelter {
 
 /// A sheet as it is at the start of a step. Arrays have one entry a node.
 struct DRENCH_API SheetPose {
-    const ClothMesh& mesh;
+    const ClothMesh& mesh;                                 ///< the cloth at rest
     const std::vector<Eigen::Vector3d>& positions;         ///< m
     const std::vector<Eigen::Vector3d>& velocities;        ///< m/s
     const std::vector<std::vector<int>>& trianglesAround;  ///< indices of the triangles at each node
@@ -30,11 +30,11 @@ struct DRENCH_API SheetPose {
     const std::vector<double>& filmMass;                   ///< kg, both faces together
     double poreCapacity;                                   ///< kg per m2 of cloth
     double wettingTime;                                    ///< of the fabric, s
-    Eigen::Vector3d up;  ///< unit vector against gravity; zero without gravity
-    double gravity;      ///< m/s2
-    double totalArea;    ///< of the cloth at rest, m2
-    const Shelter& shelter;
-    const void* body;  ///< address of its btSoftBody, for sources that know Bullet; null without one
+    Eigen::Vector3d up;      ///< unit vector against gravity; zero without gravity
+    double gravity;          ///< m/s2
+    double totalArea;        ///< of the cloth at rest, m2
+    const Shelter& shelter;  ///< what keeps rain off it
+    const void* body;        ///< address of its btSoftBody, for sources that know Bullet; null without one
     /// What `shareUnderWater` says where the cloth floats dry, 1; above 1 for cloth that sinks at once.
     double floatingShare = 1;
 

@@ -25,6 +25,7 @@ class DRENCH_API Rain final : public Source {
     double dropMass = 4.2e-6;   ///< kg; 1e-8 to 1e-4; default 2 mm across
     int mostDrops = 500;        ///< in one step; beyond it drops grow heavier; 1 to 1e6
 
+    /// Rain of this `intensity`; another seed gives other drops.
     explicit Rain(double initialIntensity, std::uint32_t seed = 1);
     std::string name() const override { return "rain"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
@@ -52,6 +53,7 @@ class DRENCH_API Spray final : public Source {
     double speed = 5;           ///< of the water, m/s; 0 to 100
     int raysPerStep = 64;       ///< 1 to 1e6
 
+    /// A nozzle with these values of `origin`, `direction` and `rate`.
     Spray(const Eigen::Vector3d& initialOrigin, const Eigen::Vector3d& initialDirection, double initialRate);
     std::string name() const override { return "spray"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
@@ -93,12 +95,14 @@ class DRENCH_API Pool final : public Source {
     /// Height of the surface, m; -1e9 to 1e9: its places are those whose scalar product with the way up, the
     /// unit vector against the gravity of the body's world info, is this.
     double level;
-    /// Least and greatest corner of its rectangle, m; -1e9 to 1e9, default everywhere. Its two sides are the
-    /// axes of the world without the one nearest to the way up, laid level: x and z where y is up, x and y
-    /// where z is up, y and z where x is up.
+    /// Least corner of its rectangle, m; -1e9 to 1e9, default everywhere. Its two sides are the axes of the world
+    /// without the one nearest to the way up, laid level: x and z where y is up, x and y where z is up, y and z
+    /// where x is up.
     Eigen::Vector2d from = Eigen::Vector2d::Constant(-1e9);
+    /// Greatest corner of the same, m.
     Eigen::Vector2d to = Eigen::Vector2d::Constant(1e9);
 
+    /// A pool with this `level`, everywhere.
     explicit Pool(double initialLevel) : level(initialLevel) {}
     std::string name() const override { return "pool"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
@@ -165,6 +169,7 @@ class DRENCH_API Brush final : public Source {
     double radius;           ///< m; 1e-4 to 100
     double rate;             ///< in its middle, kg per s and m2 of cloth; 0 to 1000; falls to 0 at the radius
 
+    /// A brush with these values of `centre`, `radius` and `rate`.
     Brush(const Eigen::Vector3d& initialCentre, double initialRadius, double initialRate)
         : centre(initialCentre), radius(initialRadius), rate(initialRate) {}
     std::string name() const override { return "brush"; }

@@ -148,7 +148,7 @@ class DRENCH_API WetCloth {
     /// All of the sheet dries alike: at the speed of the wind, on average over the sheet, against the cloth's mean
     /// velocity, over a length that is the root of its area.
     Air& air();
-    const Air& air() const;
+    const Air& air() const;  ///< The same, to read.
 
     /// Says what a solid is to this cloth: how its friction coefficients depend on the water of each node, and
     /// whether wet cloth clings to it. Of a solid that nothing is said of, the friction coefficient is that on

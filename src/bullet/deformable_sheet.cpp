@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -41,7 +42,9 @@ void refreshAnchors(btSoftBody& body) {
 /// A world destroyed before its sheet leaves the sheet's force in a list that another world may yet step
 /// through, if it gets the same solver; so such forces stay, doing nothing.
 void keepForGood(std::unique_ptr<WetSpringForce> force) {
+    static std::mutex mutex;  // worlds may end in different threads
     static auto& kept = *new std::vector<std::unique_ptr<WetSpringForce>>;
+    const std::lock_guard<std::mutex> lock(mutex);
     kept.push_back(std::move(force));
 }
 

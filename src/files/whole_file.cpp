@@ -12,6 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Where a file stands: a link is followed, so that it goes on being one.
+fs::path place(const fs::path& path) {
+    std::error_code problem;
+    if (!fs::is_symlink(path, problem)) return path;
+    const fs::path target = fs::weakly_canonical(path, problem);
+    return problem ? path : target;
+}
+
 // The name under which a file is written until it is whole.
 fs::path unfinished(const fs::path& path) {
     std::random_device lot;
@@ -24,7 +32,8 @@ void refuse(const fs::path& path, const std::string& why) {
 
 }  // namespace
 
-void checkWritable(const fs::path& path) {
+void checkWritable(const fs::path& name) {
+    const fs::path path = place(name);
     std::error_code problem;
     if (fs::exists(path, problem) && !fs::is_regular_file(path, problem)) {
         refuse(path, "it is there and is no file");
@@ -42,8 +51,9 @@ void checkWritable(const fs::path& path) {
     fs::remove(trial, problem);
 }
 
-void writeWhole(const fs::path& path, std::string_view contents) {
-    checkWritable(path);
+void writeWhole(const fs::path& name, std::string_view contents) {
+    checkWritable(name);
+    const fs::path path = place(name);
     const fs::path trial = unfinished(path);
     std::ofstream file(trial, std::ios::binary);
     file.write(contents.data(), static_cast<std::streamsize>(contents.size()));

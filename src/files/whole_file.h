@@ -1,4 +1,4 @@
-// Files that appear under their names only once they are whole.
+// Files that appear under their names only once they are whole. A name that is a link stands for where it points.
 #pragma once
 
 #include <filesystem>

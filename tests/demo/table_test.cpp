@@ -7,7 +7,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "viewer/whole_file.h"
+#include "files/whole_file.h"
 
 namespace drench::demo {
 namespace {
@@ -44,7 +44,7 @@ TEST(Table, NamesTheFileThatItCannotWriteAndLeavesWhatIsThere) {
     } catch (const std::runtime_error& problem) {
         EXPECT_NE(std::string(problem.what()).find("a.csv"), std::string::npos);
     }
-    EXPECT_THROW(viewer::checkWritable("/dev/full"), std::runtime_error);
+    EXPECT_THROW(files::checkWritable("/dev/full"), std::runtime_error);
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
     EXPECT_TRUE(std::filesystem::is_directory(folder / "a.csv"));
     std::filesystem::remove_all(folder);
@@ -57,6 +57,18 @@ TEST(Table, LeavesFilesBesideItAlone) {
     writeCsv(folder / "a.csv", example);
     EXPECT_EQ(contents(folder / "a.csv.part"), "precious");
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Table, WritesThroughALink) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "drench_table_link";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder / "elsewhere");
+    std::ofstream(folder / "elsewhere" / "b.csv") << "old";
+    std::filesystem::create_symlink("elsewhere/b.csv", folder / "a.csv");
+    writeCsv(folder / "a.csv", example);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "a.csv"));
+    EXPECT_EQ(contents(folder / "elsewhere" / "b.csv"), "step,mass_kg\n0,1.5\n1,\n");
     std::filesystem::remove_all(folder);
 }
 
