@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "drench/export.h"
 
@@ -22,6 +23,7 @@ class DRENCH_API Snapshot {
     ///     format, or changed by a single bit
     explicit Snapshot(std::string bytes);
 
+    /// All of it, as it goes to a file.
     const std::string& bytes() const { return bytes_; }
     /// Of the state alone (XXH3, 64 bits): the same for the same state, whichever version of the library saved it.
     std::uint64_t hash() const;
@@ -30,9 +32,9 @@ class DRENCH_API Snapshot {
     const std::string& libraryVersion() const { return libraryVersion_; }
     /// Bytes of each of Bullet's numbers: 4 with single, 8 with double precision.
     int precision() const { return precision_; }
-    std::uint64_t nodes() const { return nodes_; }
-    std::uint64_t links() const { return links_; }
-    std::uint64_t faces() const { return faces_; }
+    std::uint64_t nodes() const { return nodes_; }  ///< of the body
+    std::uint64_t links() const { return links_; }  ///< of the body
+    std::uint64_t faces() const { return faces_; }  ///< of the body
     /// Tells bodies apart whose faces or links join other nodes.
     std::uint64_t topology() const { return topology_; }
     /// The bytes between those that tell all this and the checksum.

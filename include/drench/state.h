@@ -18,6 +18,7 @@ namespace drench {
 /// in 8 bytes and then its characters or numbers.
 class DRENCH_API StateWriter {
   public:
+    /// A number of up to 8 bytes, or a bool.
     template <typename Number>
     void write(Number value) {
         static_assert(std::is_arithmetic_v<Number> && sizeof(Number) <= 8, "write numbers of up to 8 bytes");
@@ -33,14 +34,16 @@ class DRENCH_API StateWriter {
         }
         put(bits, sizeof(Number));
     }
+    /// Numbers, with how many there are.
     template <typename Number>
     void write(const std::vector<Number>& values) {
         write(static_cast<std::uint64_t>(values.size()));
         for (const Number value : values) write(value);
     }
+    /// A text, with its length.
     void write(std::string_view text);
-    void write(const std::string& text) { write(std::string_view(text)); }
-    void write(const char* text) { write(std::string_view(text)); }
+    void write(const std::string& text) { write(std::string_view(text)); }  ///< a text, with its length
+    void write(const char* text) { write(std::string_view(text)); }         ///< a text, with its length
     /// As they are, without a length.
     void writeBytes(std::string_view bytes) { bytes_.append(bytes); }
 
@@ -61,6 +64,7 @@ class DRENCH_API StateReader {
     /// @param bytes  stay where they are
     explicit StateReader(std::string_view bytes) : rest_(bytes) {}
 
+    /// A number, or a bool.
     template <typename Number>
     Number read() {
         static_assert(std::is_arithmetic_v<Number> && sizeof(Number) <= 8, "read numbers of up to 8 bytes");
@@ -81,12 +85,14 @@ class DRENCH_API StateReader {
             return static_cast<Number>(bits);
         }
     }
+    /// Numbers that were written as a vector.
     template <typename Number>
     std::vector<Number> readMany() {
         std::vector<Number> values(readCount(sizeof(Number)));
         for (Number& value : values) value = read<Number>();
         return values;
     }
+    /// A text.
     std::string readText();
     /// So many bytes as they are.
     std::string_view readBytes(std::uint64_t count);

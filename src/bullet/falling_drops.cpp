@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "../water/state_pass.h"
 #include "layer.h"
 #include "soft_world.h"
 #include "vectors.h"
@@ -60,6 +61,32 @@ std::optional<Hit> meet(const btSoftBody& body, const Eigen::Vector3d& from, con
     }
     return first;
 }
+
+struct SavedDrops {
+    struct Flying {
+        FallingDrops::Flight flight;
+        Eigen::Vector3d origin;
+        double momentumShare;
+        std::int32_t sheet;  // place among the sheets; -1 for one that has ended
+    };
+
+    void state(StatePass& pass) {
+        for (double* mass : {&massOnSheets, &massElsewhere, &massLost}) pass.number(*mass, 0);
+        pass.list(all, [&](Flying& each) {
+            pass.vector(each.flight.position);
+            pass.vector(each.flight.velocity);
+            pass.number(each.flight.mass, 0);
+            pass.number(each.flight.count, 0);
+            pass.number(each.flight.age, 0, longestFall);
+            pass.vector(each.origin);
+            pass.number(each.momentumShare, 0, 1);
+            pass.number(each.sheet, -1);
+        });
+    }
+
+    double massOnSheets = 0, massElsewhere = 0, massLost = 0;  // kg
+    std::vector<Flying> all;
+};
 
 }  // namespace
 
@@ -136,60 +163,37 @@ void FallingDrops::save(StateWriter& writer) const {
                                         [&](const auto& each) { return each.lock().get() == sheet; });
         return found == sheets.end() ? std::int32_t{-1} : static_cast<std::int32_t>(found - sheets.begin());
     };
-    for (const double mass : {massOnSheets_, massElsewhere_, massLost_}) writer.write(mass);
-    writer.write(static_cast<std::uint64_t>(flights_.size()));
+    SavedDrops saved{massOnSheets_, massElsewhere_, massLost_, {}};
     for (std::size_t i = 0; i < flights_.size(); ++i) {
-        const Flight& flight = flights_[i];
         const Origins::Origin& origin = origins_->all[i];
-        for (const Eigen::Vector3d& vector : {flight.position, flight.velocity, origin.position})
-            for (const double component : vector) writer.write(component);
-        for (const double number : {flight.mass, flight.age, origin.momentumShare}) writer.write(number);
-        writer.write(flight.count);
-        writer.write(placeOf(origin.sheet));
+        saved.all.push_back({flights_[i], origin.position, origin.momentumShare, placeOf(origin.sheet)});
     }
+    StatePass pass(writer);
+    pass.part(saved);
 }
 
 void FallingDrops::load(StateReader& reader) {
-    const auto number = [&](double least, double most) {
-        const auto read = reader.read<double>();
-        if (!(read >= least && read <= most))
-            throw std::runtime_error("drench: saved drops have " + std::to_string(read) + " where only " +
-                                     std::to_string(least) + " to " + std::to_string(most) + " makes sense");
-        return read;
-    };
-    constexpr double most = 1e15;
-    const auto vector = [&] {
-        Eigen::Vector3d read;
-        for (double& component : read) component = number(-most, most);
-        return read;
-    };
-    double masses[3];
-    for (double& mass : masses) mass = number(0, most);
-    constexpr std::uint64_t bytesOfEach = 13 * 8 + 4;
-    std::vector<Flight> flights(static_cast<std::size_t>(reader.readCount(bytesOfEach)));
+    SavedDrops saved;
+    StatePass pass(reader, StatePass::Kind::restore);
+    pass.part(saved);
+    std::vector<Flight> flights;
     Origins origins;
-    for (Flight& flight : flights) {
-        Origins::Origin& origin = origins.all.emplace_back();
-        flight.position = vector();
-        flight.velocity = vector();
-        origin.position = vector();
-        flight.mass = number(0, most);
-        flight.age = number(0, longestFall);
-        origin.momentumShare = number(0, 1);
-        flight.count = reader.read<std::int64_t>();
-        const auto place = reader.read<std::int32_t>();
-        if (flight.count < 0 || place < -1 || place >= static_cast<std::int32_t>(sheets_->all.size()))
+    for (const SavedDrops::Flying& each : saved.all) {
+        const auto place = static_cast<std::size_t>(each.sheet);
+        if (each.sheet >= 0 && place >= sheets_->all.size())
             throw std::runtime_error("drench: saved drops fell from sheet " + std::to_string(place) + " of " +
                                      std::to_string(sheets_->all.size()) +
                                      "; add the same sheets in the same order");
-        origin.sheet = place < 0 ? nullptr : sheets_->all[static_cast<std::size_t>(place)].lock().get();
+        const void* const sheet = each.sheet < 0 ? nullptr : sheets_->all[place].lock().get();
+        flights.push_back(each.flight);
+        origins.all.push_back({each.origin, sheet, each.momentumShare});
     }
     flights_ = std::move(flights);
     *origins_ = std::move(origins);
     landed_.clear();
-    massOnSheets_ = masses[0];
-    massElsewhere_ = masses[1];
-    massLost_ = masses[2];
+    massOnSheets_ = saved.massOnSheets;
+    massElsewhere_ = saved.massElsewhere;
+    massLost_ = saved.massLost;
 }
 
 /// Lands a flight if it meets something on its way. @return whether it does

@@ -36,10 +36,6 @@ void checkAlike(const char* what, std::size_t index, float saved, double here) {
         refuse(what, ' ', index, " is at ", saved, " m there, and at ", here, " m here");
 }
 
-void passPlace(StatePass& pass, Eigen::Vector3d& vector) {
-    for (double& component : vector) pass.number(component, -1e15, 1e15);
-}
-
 }  // namespace
 
 template <typename Each>
@@ -234,8 +230,8 @@ void WetCloth::Layer::momentState(BulletPass& pass) {
     pass.list(
         all,
         [&](Drop& drop) {
-            passPlace(pass, drop.position);
-            passPlace(pass, drop.velocity);
+            pass.vector(drop.position);
+            pass.vector(drop.velocity);
             pass.number(drop.mass, 0);
             pass.number(drop.count, 0);
             pass.number(drop.time, 0);

@@ -1,6 +1,7 @@
 // What classes keep from step to step, named once for saving, checking and restoring.
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -64,6 +65,10 @@ class StatePass {
         const auto passed = value(static_cast<std::uint64_t>(member), 0, double(most));
         if (restores()) member = static_cast<std::size_t>(passed);
     }
+    void vector(Eigen::Vector3d& member) {
+        constexpr double farthest = 1e15;
+        for (double& component : member) number(component, -farthest, farthest);
+    }
     /// As many as there are now.
     template <typename Number>
     void numbers(std::vector<Number>& values, double least = -unlimited, double most = unlimited) {
@@ -84,10 +89,11 @@ class StatePass {
     void list(std::vector<Item>& items, Each each,
               std::size_t most = std::numeric_limits<std::size_t>::max()) {
         const std::size_t size = count(items.size(), most);
-        if (restores()) items.resize(size);
+        if (restores()) items.clear();
         for (std::size_t i = 0; i < size; ++i) {
-            Item scratch{};
-            each(saves() || restores() ? items[i] : scratch);
+            Item unused{};
+            if (restores()) items.emplace_back();  // one by one: bytes that are missing take up no memory
+            each(saves() ? items[i] : restores() ? items.back() : unused);
         }
     }
 
