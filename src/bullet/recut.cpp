@@ -88,10 +88,10 @@ class Recutter {
                 flat[0] * weights[corner][0] + flat[1] * weights[corner][1] + flat[2] * weights[corner][2];
         }
         const double area = triangleArea(coordinates) * restOverMaterial(origin);
-        constexpr double thinnest = 1e-5;  // of the old face; what is smaller would take endless steps
+        constexpr double thinnest = 1e-9;  // of the old face; what is smaller would take endless steps
         if (!(area > thinnest * old_.triangleAreas[origin]))
             throw std::invalid_argument("face " + std::to_string(cut_.shape.triangles.size()) +
-                                        " has less than 1e-5 of the area of the face that it is of");
+                                        " has less than 1e-9 of the area of the face that it is of");
         cut_.shape.triangles.push_back(triangle);
         cut_.shape.triangleAreas.push_back(area);
         for (const int node : triangle) cut_.shape.nodeAreas[static_cast<std::size_t>(node)] += area / 3;
