@@ -120,6 +120,10 @@ WetCloth::Layer::~Layer() {
     if (stepping == Stepping::byWorld) stopListeningToPreTick(world, *this);
     stopAwaitingPostTick(world, *this);
     const bool bodyIsAlive = watch.bodyIsAlive();
+    if (bodyIsAlive && topology.hasMoved(body)) {  // cut since the last substep
+        topology.follow(body);
+        keepFaceTree(body);
+    }
     if (bodyIsAlive) taken.giveBack(body, dryMasses());
     if (!deformable) return;
     if (bodyIsAlive) deformable->giveBack(body);

@@ -1,5 +1,6 @@
 #include "recut.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,6 +12,7 @@
 
 #include "border_checks.h"
 #include "face_projection.h"
+#include "vectors.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -86,11 +88,24 @@ class Recutter {
                 flat[0] * weights[corner][0] + flat[1] * weights[corner][1] + flat[2] * weights[corner][2];
         }
         const double area = triangleArea(coordinates) * restOverMaterial(origin);
+        constexpr double thinnest = 1e-9;  // of the old face; what is smaller would take endless steps
+        if (!(area > thinnest * old_.triangleAreas[origin]))
+            throw std::invalid_argument("face " + std::to_string(cut_.shape.triangles.size()) +
+                                        " has less than 1e-9 of the area of the face that it is of");
         cut_.shape.triangles.push_back(triangle);
         cut_.shape.triangleAreas.push_back(area);
         for (const int node : triangle) cut_.shape.nodeAreas[static_cast<std::size_t>(node)] += area / 3;
+        const Weights middle = meanOf(weights);
+        constexpr double rounding = 1e-3;
+        isSewnOn_.push_back(*std::min_element(middle.begin(), middle.end()) < -rounding);
         origins_.push_back(origin);
         weights_.push_back(weights);
+    }
+
+    static Weights meanOf(const std::array<Weights, 3>& corners) {
+        Weights mean;
+        for (std::size_t k = 0; k < 3; ++k) mean[k] = (corners[0][k] + corners[1][k] + corners[2][k]) / 3;
+        return mean;
     }
 
     double restOverMaterial(std::size_t face) const {
@@ -141,10 +156,20 @@ class Recutter {
                 weights[corner] = 1;
                 return weights;
             }
-        const btVector3 shares = projected(placeOf(node), face).weights;
-        for (int corner = 0; corner < 3; ++corner)
-            weights[static_cast<std::size_t>(corner)] = double(shares[corner]);
-        return weights;
+        return sharesOf(placeOf(node), face);
+    }
+
+    /// Of the corners of an old face, in its plane; outside of it some are below 0.
+    Weights sharesOf(const btVector3& place, std::size_t face) const {
+        const Triangle& corners = old_.triangles[face];
+        const Eigen::Vector3d origin = toEigen(placeOf(corners[0]));
+        Eigen::Matrix<double, 3, 2> sides;
+        sides << toEigen(placeOf(corners[1])) - origin, toEigen(placeOf(corners[2])) - origin;
+        const Eigen::Matrix2d products = sides.transpose() * sides;
+        const Eigen::Vector2d along = products.inverse() * (sides.transpose() * (toEigen(place) - origin));
+        if (!along.allFinite())
+            throw std::invalid_argument("face " + std::to_string(face) + " has no area now");
+        return {1 - along.sum(), along.x(), along.y()};
     }
 
     void readLinks() {
@@ -203,11 +228,12 @@ class Recutter {
     /// Of a corner of a new face, if the water lay on the pieces exactly as on the old face, kg.
     double share(std::size_t face, std::size_t corner, const Moisture& moisture,
                  const std::vector<double>& masses) const {
+        if (isSewnOn_[face]) return 0;
         double density = 0;
         for (std::size_t k = 0; k < 3; ++k)
             density +=
                 weights_[face][corner][k] * perArea(old_.triangles[origins_[face]][k], moisture, masses);
-        return density * cut_.shape.triangleAreas[face] / 3;
+        return std::max(density, 0.0) * cut_.shape.triangleAreas[face] / 3;
     }
 
     static double perArea(int node, const Moisture& moisture, const std::vector<double>& masses) {
@@ -225,6 +251,7 @@ class Recutter {
     // Of each new face.
     std::vector<std::size_t> origins_;
     std::vector<std::array<Weights, 3>> weights_;
+    std::vector<bool> isSewnOn_;        // beside that old face, and dry
     std::map<Pair, btScalar> lengths_;  // at rest, of pairs of nodes, m
 };
 

@@ -25,7 +25,8 @@ struct Recut {
 /// come after them.
 ///
 /// A face of other nodes than before is a piece of the old face, near one of its old corners, that its middle is nearest
-/// to now; its new corners get their material coordinates from where they are in that face. Links between the same nodes
+/// to now, or, beside it, sewn on to it and dry; its new corners get their material coordinates from where they are in
+/// the plane of that face. Links between the same nodes
 /// keep their rest length, others along an edge get that of the material, and others again that of now. The water of
 /// each old face goes to its pieces, as it lay on the face; that of faces without a piece is missing from the sums.
 ///

@@ -4,7 +4,8 @@
 #include <LinearMath/btTransformUtil.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "mending.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -58,8 +59,9 @@ void Solid::advance(double smallStep) {
 void Solid::finish(btDispatcher* dispatcher) {
     if (addedVelocity_.isZero() && addedSpin_.isZero()) return;
     // What has blown a sheet up, and held it back, must not reach others.
-    const btVector3 all = addedVelocity_ + addedSpin_ + shift_ + turn_;
-    if (!std::isfinite(all.x() + all.y() + all.z())) return;
+    const btVector3 all =
+        addedVelocity_.absolute() + addedSpin_.absolute() + shift_.absolute() + turn_.absolute();
+    if (!(double(all.x() + all.y() + all.z()) <= fastestNode)) return;
     btRigidBody* const body = rigidBody(*object_);
     body->setLinearVelocity(body->getLinearVelocity() + addedVelocity_);
     body->setAngularVelocity(body->getAngularVelocity() + addedSpin_);
