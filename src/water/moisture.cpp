@@ -18,8 +18,8 @@ constexpr std::size_t airAccount = 1;
 
 void checkStep(double dt, const Surroundings& surroundings, std::size_t nodes) {
     const auto refuse = [](const std::string& what) { throw std::invalid_argument("drench: " + what); };
-    if (!(dt >= 0) || !std::isfinite(dt))
-        refuse("a water step of " + std::to_string(dt) + " s; give a finite time of at least 0 s");
+    constexpr double longest = 1e9;  // s; beyond it products of rates and times come to nothing finite
+    if (!(dt >= 0 && dt <= longest)) refuse("a water step of " + std::to_string(dt) + " s; give 0 to 1e9 s");
     if (!surroundings.heights.empty() && surroundings.heights.size() != nodes)
         refuse("there are heights for " + std::to_string(surroundings.heights.size()) + " nodes of " +
                std::to_string(nodes) + "; give one a node, or none");
@@ -155,9 +155,9 @@ void Moisture::recut(const Fabric& fabric, const ClothMesh& mesh, std::vector<do
                      std::vector<double> filmMass) {
     Moisture cut(fabric, mesh);
     for (const auto* masses : {&poreMass, &filmMass})
-        if (masses->size() != cut.size() ||
-            !std::all_of(masses->begin(), masses->end(),
-                         [](double mass) { return mass >= 0 && std::isfinite(mass); }))
+        if (masses->size() != cut.size() || !std::all_of(masses->begin(), masses->end(), [](double mass) {
+                return mass >= 0 && std::isfinite(mass);
+            }))
             throw std::invalid_argument("drench: water for " + std::to_string(masses->size()) + " nodes of " +
                                         std::to_string(cut.size()) +
                                         "; give a finite mass of at least 0 kg for each");
