@@ -42,9 +42,12 @@ Eigen::Vector2d Silhouette::place(const btVector3& position) const {
 
 void Silhouette::cover(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
     const double last = pixels_ - 1;
-    const auto firstFrom = [&](double value) { return int(std::ceil(std::clamp(value - 0.5, 0., last + 1))); };
+    const auto firstFrom = [&](double value) {
+        return int(std::ceil(std::clamp(value - 0.5, 0., last + 1)));
+    };
     const auto lastTo = [&](double value) { return int(std::floor(std::clamp(value - 0.5, -1., last))); };
-    for (int y = firstFrom(std::min({a.y(), b.y(), c.y()})); y <= lastTo(std::max({a.y(), b.y(), c.y()})); ++y) {
+    for (int y = firstFrom(std::min({a.y(), b.y(), c.y()})); y <= lastTo(std::max({a.y(), b.y(), c.y()}));
+         ++y) {
         double from = pixels_, to = 0;  // where the row's middle line enters and leaves the triangle
         const auto cross = [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
             const double height = y + 0.5;

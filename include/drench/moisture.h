@@ -83,8 +83,8 @@ class DRENCH_API Moisture {
     /// Lets `dt` seconds pass: water evaporates (or is taken from damp air); film goes into the pores, where
     /// the missing share falls by exp(-dt / wettingTime) as long as the film lasts; pore water wicks and
     /// drains, what pores cannot hold goes to the film; the film runs down and drips. Parts of it that need
-    /// shorter steps take them, or, where these would be very many, one that is implicit: any dt will do.
-    /// @throws std::invalid_argument for a dt that is negative or not finite, heights that are not finite or
+    /// shorter steps take them, or, where these would be very many, one that is implicit: any dt up to 1e9 s will do.
+    /// @throws std::invalid_argument for a dt that is not from 0 to 1e9, heights that are not finite or
     ///     not one a node, a gravity or drying rate below 0, a humidity not in [0, 1).
     void step(double dt, const Surroundings& surroundings);
     /// The same for a level sheet without weight, sealed from the air.

@@ -120,7 +120,7 @@ struct DRENCH_API Mask {
     double at(double right, double up) const;
 };
 
-/// Reads a picture (PNG and what else stb_image knows); colours become their luminance, as stored;
+/// Reads a picture (PNG, JPEG or BMP); colours become their luminance, as stored;
 /// transparent is black. At most 2^25 pixels.
 /// @throws std::runtime_error that names the file and says what is wrong with it
 DRENCH_API Mask readMask(const std::filesystem::path& path);

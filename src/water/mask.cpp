@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "drench/sources.h"
 
@@ -60,6 +61,15 @@ Between between(double place, int pixels) {
             centred - first};
 }
 
+// stb_image knows more formats, but writes beyond its buffers in some of them.
+void checkFormat(const std::filesystem::path& path, const std::vector<char>& bytes) {
+    using namespace std::string_view_literals;
+    const std::string_view start(bytes.data(), bytes.size());
+    for (const std::string_view format : {"\x89PNG\r\n\x1a\n"sv, "\xff\xd8\xff"sv, "BM"sv})
+        if (start.substr(0, format.size()) == format) return;
+    throw unreadable(path, "it is no picture that can be read here; give a PNG, JPEG or BMP");
+}
+
 // Before anything is unpacked: a small file may say that it has more pixels than there is memory.
 void checkSize(const std::filesystem::path& path, const std::vector<char>& bytes) {
     constexpr std::int64_t most = 1 << 25;
@@ -97,6 +107,7 @@ double Mask::at(double right, double up) const {
 
 Mask readMask(const std::filesystem::path& path) {
     const std::vector<char> bytes = readBytes(path);
+    checkFormat(path, bytes);
     checkSize(path, bytes);
     Mask mask;
     int channels = 0;

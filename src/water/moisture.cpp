@@ -18,8 +18,8 @@ constexpr std::size_t airAccount = 1;
 
 void checkStep(double dt, const Surroundings& surroundings, std::size_t nodes) {
     const auto refuse = [](const std::string& what) { throw std::invalid_argument("drench: " + what); };
-    if (!(dt >= 0) || !std::isfinite(dt))
-        refuse("a water step of " + std::to_string(dt) + " s; give a finite time of at least 0 s");
+    constexpr double longest = 1e9;  // s; beyond it products of rates and times come to nothing finite
+    if (!(dt >= 0 && dt <= longest)) refuse("a water step of " + std::to_string(dt) + " s; give 0 to 1e9 s");
     if (!surroundings.heights.empty() && surroundings.heights.size() != nodes)
         refuse("there are heights for " + std::to_string(surroundings.heights.size()) + " nodes of " +
                std::to_string(nodes) + "; give one a node, or none");

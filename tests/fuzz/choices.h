@@ -31,14 +31,22 @@ class Choices {
     double around(double low, double high) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         switch (whole(0, 23)) {
-            case 0: return low;
-            case 1: return high;
-            case 2: return 2 * low - high;
-            case 3: return -infinity;
-            case 4: return std::numeric_limits<double>::quiet_NaN();
-            case 5: return std::numeric_limits<double>::denorm_min();
-            case 6: return 1e300;
-            default: return between(low, high);
+            case 0:
+                return low;
+            case 1:
+                return high;
+            case 2:
+                return 2 * low - high;
+            case 3:
+                return -infinity;
+            case 4:
+                return std::numeric_limits<double>::quiet_NaN();
+            case 5:
+                return std::numeric_limits<double>::denorm_min();
+            case 6:
+                return 1e300;
+            default:
+                return between(low, high);
         }
     }
 

@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
         const std::string_view text(reinterpret_cast<const char*>(bytes), count);
         if (!fuzz::accepts([&] { file = meshFromText(text, reading); }, "")) continue;
         validate(file.mesh);
-        if (file.vertexInFile.size() != file.mesh.vertices.size()) fuzz::fail("nodes and vertices differ in number");
+        if (file.vertexInFile.size() != file.mesh.vertices.size())
+            fuzz::fail("nodes and vertices differ in number");
         if (texture) fuzz::accepts([&] { texturedCoordinates(file.mesh); });
     }
     return 0;

@@ -31,13 +31,20 @@ void change(Choices& choices, Moisture& water) {
     const auto node = static_cast<std::size_t>(choices.whole(0, static_cast<int>(water.size())));
     const double mass = choices.around(0, 0.1);
     switch (choices.whole(0, 6)) {
-        case 0: return water.addFilm(node, mass);
-        case 1: return water.addPores(node, mass);
-        case 2: return void(water.takeFilm(node, mass));
-        case 3: return void(water.takePores(node, mass));
-        case 4: return water.cover(node, choices.around(0, 1));
-        case 5: return water.layDown(node);
-        default: return void(water.openAccount("rain"));
+        case 0:
+            return water.addFilm(node, mass);
+        case 1:
+            return water.addPores(node, mass);
+        case 2:
+            return void(water.takeFilm(node, mass));
+        case 3:
+            return void(water.takePores(node, mass));
+        case 4:
+            return water.cover(node, choices.around(0, 1));
+        case 5:
+            return water.layDown(node);
+        default:
+            return void(water.openAccount("rain"));
     }
 }
 
@@ -56,7 +63,8 @@ Surroundings randomSurroundings(Choices& choices, std::size_t nodes) {
 void check(const Moisture& water) {
     for (std::size_t n = 0; n < water.size(); ++n) {
         const double pores = water.poreMass()[n], film = water.filmMass()[n];
-        if (!(pores >= 0 && pores <= (1 + 1e-12) * water.poreCapacity(n))) fail("pores of " + std::to_string(pores));
+        if (!(pores >= 0 && pores <= (1 + 1e-12) * water.poreCapacity(n)))
+            fail("pores of " + std::to_string(pores));
         if (!(film >= 0 && std::isfinite(film))) fail("a film of " + std::to_string(film));
     }
     const Ledger ledger = water.ledger();
@@ -74,9 +82,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
         const WetLaws laws(fabric);
         Moisture water(fabric, fuzz::randomMesh(choices));
         for (int calls = 0; choices.any() && calls < 100; ++calls) {
-            for (int i = choices.whole(0, 3); i > 0; --i) fuzz::accepts([&] { fuzz::change(choices, water); });
+            for (int i = choices.whole(0, 3); i > 0; --i)
+                fuzz::accepts([&] { fuzz::change(choices, water); });
             const Surroundings around = fuzz::randomSurroundings(choices, water.size());
-            fuzz::accepts([&] { water.step(choices.around(1e-4, 60), around); });
+            const double dt =
+                choices.around(1e-4, 60) * std::pow(10, choices.oneIn(4) ? choices.whole(0, 7) : 0);
+            fuzz::accepts([&] { water.step(dt, around); });
             fuzz::check(water);
             for (const double share : laws.albedo(water.meanSaturation()))
                 if (!(share >= 0 && share <= 1)) fuzz::fail("an albedo of " + std::to_string(share));

@@ -18,7 +18,8 @@ inline Fabric randomFabric(Choices& choices) {
     Fabric fabric = fabrics::byName(names[static_cast<std::size_t>(choices.byte()) % names.size()]);
     const auto& parameters = fabricParameters();
     for (int changes = choices.whole(0, 4); changes > 0; --changes) {
-        const FabricParameter& parameter = parameters[static_cast<std::size_t>(choices.byte()) % parameters.size()];
+        const FabricParameter& parameter =
+            parameters[static_cast<std::size_t>(choices.byte()) % parameters.size()];
         fabric.*parameter.member = choices.oneIn(8) ? choices.around(parameter.minimum, parameter.maximum)
                                                     : choices.between(parameter.minimum, parameter.maximum);
     }
@@ -48,7 +49,8 @@ inline std::unique_ptr<btSoftBody> randomTriangles(Choices& choices, btSoftBodyW
     }
     auto body = std::make_unique<btSoftBody>(&info, nodes, places.data(), nullptr);
     for (int triangles = choices.whole(1, 24); triangles > 0; --triangles) {
-        const int a = choices.whole(0, nodes - 1), b = choices.whole(0, nodes - 1), c = choices.whole(0, nodes - 1);
+        const int a = choices.whole(0, nodes - 1), b = choices.whole(0, nodes - 1),
+                  c = choices.whole(0, nodes - 1);
         if ((a == b || b == c || c == a) && !choices.oneIn(32)) continue;
         body->appendFace(a, b, c);
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
@@ -59,12 +61,14 @@ inline std::unique_ptr<btSoftBody> randomTriangles(Choices& choices, btSoftBodyW
 }
 
 /// A grid, mostly, of any corners.
-inline std::unique_ptr<btSoftBody> randomBody(Choices& choices, btSoftBodyWorldInfo& info, const Fabric& fabric) {
+inline std::unique_ptr<btSoftBody> randomBody(Choices& choices, btSoftBodyWorldInfo& info,
+                                              const Fabric& fabric) {
     if (choices.oneIn(3)) return randomTriangles(choices, info);
     const double reach = choices.between(0.05, 1);
     const bool isWild = choices.oneIn(8);
     const auto side = [&](const btVector3& plain) { return isWild ? wildVector(choices, 2) : plain; };
-    const btVector3 warp = side({btScalar(reach), 0, 0}), weft = side({0, btScalar(reach), btScalar(reach) / 2});
+    const btVector3 warp = side({btScalar(reach), 0, 0}),
+                    weft = side({0, btScalar(reach), btScalar(reach) / 2});
     return makeSheet(info, fabric, flatCorners(randomVector(choices, 1), warp, weft), choices.whole(2, 7),
                      choices.whole(isWild ? 0 : 2, 7));
 }

@@ -39,7 +39,8 @@ Input changed(Input input, std::mt19937& random) {
 }
 
 void run(const Input& input, const char* last) {
-    if (last) std::ofstream(last, std::ios::binary).write(input.data(), static_cast<std::streamsize>(input.size()));
+    if (last)
+        std::ofstream(last, std::ios::binary).write(input.data(), static_cast<std::streamsize>(input.size()));
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
 }
 

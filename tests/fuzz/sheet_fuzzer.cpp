@@ -18,7 +18,8 @@ Eigen::Vector3d eigen(const btVector3& vector) {
 /// A world with a ball and one sheet, at which an application pulls as the input says.
 class Play {
   public:
-    explicit Play(Choices& choices) : choices_(choices), world_(randomWorld()), ball_(world_->addBall({0, 0, 0}, 0.3, 0)) {
+    explicit Play(Choices& choices)
+        : choices_(choices), world_(randomWorld()), ball_(world_->addBall({0, 0, 0}, 0.3, 0)) {
         fabric_ = randomFabric(choices_);
         body_ = randomBody(choices_, world_->worldInfo(), fabric_);
         for (int n = 0; n < body_->m_nodes.size(); ++n) home_.push_back(body_->m_nodes[n].m_x);
@@ -36,8 +37,10 @@ class Play {
     bool goesOn() const { return cloth_ != nullptr; }
 
     void act() {
-        const int what = choices_.whole(0, 31); if (getenv("TRACE")) fprintf(stderr, "act %d\n", what);
-        accepts([&] { what < 8 ? bringWater(what) : what < 14 ? addSource(what) : what < 24 ? pull(what) : step(); });
+        const int what = choices_.whole(0, 31);
+        accepts([&] {
+            what < 8 ? bringWater(what) : what < 14 ? addSource(what) : what < 24 ? pull(what) : step();
+        });
     }
 
   private:
@@ -47,7 +50,8 @@ class Play {
         steps.tethers = choices_.oneIn(2);
         const bool deforms = choices_.oneIn(3), isStock = choices_.oneIn(2);
         return demo::makeWorld(deforms ? demo::WorldKind::deformable : demo::WorldKind::softRigid,
-                               isStock || deforms ? demo::SolverKind::stock : demo::SolverKind::smallStep, steps);
+                               isStock || deforms ? demo::SolverKind::stock : demo::SolverKind::smallStep,
+                               steps);
     }
 
     void attach() {
@@ -58,19 +62,30 @@ class Play {
         cloth_ = std::make_unique<WetCloth>(world_->world(), *body_, fabric_, settings);
     }
 
-    int node() { return choices_.whole(choices_.oneIn(16) ? -1 : 0, body_->m_nodes.size() - (choices_.oneIn(16) ? 0 : 1)); }
+    int node() {
+        return choices_.whole(choices_.oneIn(16) ? -1 : 0,
+                              body_->m_nodes.size() - (choices_.oneIn(16) ? 0 : 1));
+    }
 
     void bringWater(int what) {
         const double mass = choices_.around(0, 0.05);
         switch (what) {
-            case 0: return cloth_->addWater(node(), mass);
-            case 1: return cloth_->addWater(node(), mass, wildVector(choices_, 20));
-            case 2: return cloth_->soak(10 * mass);
-            case 3: return cloth_->presoak(10 * mass);
-            case 4: return cloth_->setWaterSpeed(choices_.around(0, 1e3));
-            case 5: return void(cloth_->takeDrops());
-            case 6: return cloth_->account("tap").addFilm(static_cast<std::size_t>(node()), mass);
-            default: return void(cloth_->account("tap").takePores(static_cast<std::size_t>(node()), mass));
+            case 0:
+                return cloth_->addWater(node(), mass);
+            case 1:
+                return cloth_->addWater(node(), mass, wildVector(choices_, 20));
+            case 2:
+                return cloth_->soak(10 * mass);
+            case 3:
+                return cloth_->presoak(10 * mass);
+            case 4:
+                return cloth_->setWaterSpeed(choices_.around(0, 1e3));
+            case 5:
+                return void(cloth_->takeDrops());
+            case 6:
+                return cloth_->account("tap").addFilm(static_cast<std::size_t>(node()), mass);
+            default:
+                return void(cloth_->account("tap").takePores(static_cast<std::size_t>(node()), mass));
         }
     }
 
@@ -78,11 +93,21 @@ class Play {
         const Eigen::Vector3d place = eigen(wildVector(choices_, 2));
         const double rate = choices_.around(0, 1);
         switch (what) {
-            case 8: source_ = &cloth_->add(Rain(1000 * rate)); return;
-            case 9: source_ = &cloth_->add(Spray(place, eigen(wildVector(choices_, 1)), rate)); return;
-            case 10: source_ = &cloth_->add(Pool(place.y())); return;
-            case 11: source_ = &cloth_->add(Brush(place, choices_.around(0.01, 1), rate)); return;
-            case 12: source_ = &cloth_->add(WetBody(ball_)); return;
+            case 8:
+                source_ = &cloth_->add(Rain(1000 * rate));
+                return;
+            case 9:
+                source_ = &cloth_->add(Spray(place, eigen(wildVector(choices_, 1)), rate));
+                return;
+            case 10:
+                source_ = &cloth_->add(Pool(place.y()));
+                return;
+            case 11:
+                source_ = &cloth_->add(Brush(place, choices_.around(0.01, 1), rate));
+                return;
+            case 12:
+                source_ = &cloth_->add(WetBody(ball_));
+                return;
             default:
                 if (source_) cloth_->remove(*source_);
                 source_ = nullptr;
@@ -92,19 +117,33 @@ class Play {
     void pull(int what) {
         btSoftBody::Node& node = body_->m_nodes[choices_.whole(0, body_->m_nodes.size() - 1)];
         switch (what) {
-            case 14: node.m_im = node.m_im > 0 ? 0 : btScalar(choices_.between(1, 1000)); return;
-            case 15: node.m_v = wildVector(choices_, 30); return;
-            case 16: node.m_x = wildVector(choices_, 2); return;
-            case 17: body_->setTotalMass(btScalar(choices_.between(0.01, 10))); return;
-            case 18: return attach();
+            case 14:
+                node.m_im = node.m_im > 0 ? 0 : btScalar(choices_.between(1, 1000));
+                return;
+            case 15:
+                node.m_v = wildVector(choices_, 30);
+                return;
+            case 16:
+                node.m_x = wildVector(choices_, 2);
+                return;
+            case 17:
+                body_->setTotalMass(btScalar(choices_.between(0.01, 10)));
+                return;
+            case 18:
+                return attach();
             case 19:
                 return comeOrGo();
             case 20:
                 if (choices_.oneIn(2)) return cloth_->setSurface(ball_, SurfaceKind::skin);
                 return cloth_->setSurface(ball_, Surface{choices_.around(0, 5), 1, 1, choices_.around(0, 1)});
-            case 21: body_->m_cfg.kDP = btScalar(choices_.between(0, 1)); return;
-            case 22: node.m_f = wildVector(choices_, 100); return;
-            default: changeAir();
+            case 21:
+                body_->m_cfg.kDP = btScalar(choices_.between(0, 1));
+                return;
+            case 22:
+                node.m_f = wildVector(choices_, 100);
+                return;
+            default:
+                changeAir();
         }
     }
 
@@ -125,7 +164,9 @@ class Play {
     }
 
     void step() {
-        const btScalar dt = btScalar(choices_.oneIn(3) ? choices_.between(1e-4, 0.1) : choices_.oneIn(2) ? 1e-3 : 1 / 60.);
+        const btScalar dt = btScalar(choices_.oneIn(3)   ? choices_.between(1e-4, 0.1)
+                                     : choices_.oneIn(2) ? 1e-3
+                                                         : 1 / 60.);
         if (!accepts([&] { world_->world().stepSimulation(dt, 1, dt); })) return mend();
         if (inWorld_ && !cloth_->health().finite) fail("the body is not finite");
         const Ledger ledger = cloth_->ledger();
