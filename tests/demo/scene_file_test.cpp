@@ -232,7 +232,7 @@ TEST(SceneFile, RefusesBombs) {
     std::string solids = "{\"solids\": [{}";
     for (int i = 0; i < 1000; ++i) solids += ",{}";
     EXPECT_NE(refusal(solids + "]}").find("solids is a list of 1001"), std::string::npos);
-    JsonLimits tight;
+    files::JsonLimits tight;
     tight.values = 1000;
     std::string many = "[0";
     for (int i = 0; i < 2000; ++i) many += ",0";
