@@ -70,6 +70,23 @@ void checkFormat(const std::filesystem::path& path, const std::vector<char>& byt
     throw unreadable(path, "it is no picture that can be read here; give a PNG, JPEG or BMP");
 }
 
+// stb_image makes room for as many bytes as a part of a PNG says that it has; here they must be there.
+void checkParts(const std::filesystem::path& path, const std::vector<char>& bytes) {
+    constexpr std::size_t signature = 8, around = 12;  // bytes: before the parts, and of each one's frame
+    if (bytes[0] == 'B' || bytes[0] == '\xff') return;
+    const auto byte = [&](std::size_t place) {
+        return std::size_t(static_cast<unsigned char>(bytes[place]));
+    };
+    for (std::size_t place = signature; place + around <= bytes.size();) {
+        const std::size_t length =
+            byte(place) << 24 | byte(place + 1) << 16 | byte(place + 2) << 8 | byte(place + 3);
+        if (length > bytes.size() - place - around)
+            throw unreadable(path,
+                             "it is no picture that can be read here (it ends too early); give a whole PNG");
+        place += length + around;
+    }
+}
+
 // Before anything is unpacked: a small file may say that it has more pixels than there is memory.
 void checkSize(const std::filesystem::path& path, const std::vector<char>& bytes) {
     constexpr std::int64_t most = 1 << 25;
@@ -108,6 +125,7 @@ double Mask::at(double right, double up) const {
 Mask readMask(const std::filesystem::path& path) {
     const std::vector<char> bytes = readBytes(path);
     checkFormat(path, bytes);
+    checkParts(path, bytes);
     checkSize(path, bytes);
     Mask mask;
     int channels = 0;
