@@ -45,7 +45,7 @@ enum class Trouble {
 
 /// One kind of trouble of one sheet, since its WetCloth was made or its reports were cleared.
 struct TroubleReport {
-    Trouble what;
+    Trouble what;         ///< its kind
     std::string message;  ///< what, where, and how to mend it, as of the last time
     int node;             ///< that had it the last time, the first of several; -1 where it is not of one node
     double value;         ///< the offending one of the last time; 0 where there is none

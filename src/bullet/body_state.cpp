@@ -1,5 +1,7 @@
 #include "body_state.h"
 
+#include "face_tree.h"
+
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
@@ -81,9 +83,8 @@ void BodyState::trees(BulletPass& pass) {
 /// A tree that comes to be renews that of the nodes as well, so where there was none yet, there must be none.
 void BodyState::restoreFaceTree(bool wanted) {
     if (wanted == !body_.m_fdbvt.empty()) return;
-    if (wanted) return body_.initializeFaceTree();
-    body_.m_fdbvt.clear();
-    for (int f = 0; f < body_.m_faces.size(); ++f) body_.m_faces[f].m_leaf = nullptr;
+    if (wanted) return makeFaceTree(body_);
+    dropFaceTree(body_);
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -1,6 +1,7 @@
 #include "face_tree.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace drench {
@@ -18,12 +19,16 @@ btDbvtNode* newNode() {
     return node;
 }
 
-btDbvtNode* newLeaf(btSoftBody::Face& face) {
+btDbvtNode* newLeaf(const btDbvtVolume& volume, void* part) {
     btDbvtNode* const leaf = newNode();
-    const btVector3* corners[] = {&face.m_n[0]->m_x, &face.m_n[1]->m_x, &face.m_n[2]->m_x};
-    leaf->volume = btDbvtVolume::FromPoints(corners, 3);
-    leaf->data = &face;
+    leaf->volume = volume;
+    leaf->data = part;
     return leaf;
+}
+
+btDbvtVolume boundsOf(const btSoftBody::Face& face) {
+    const btVector3* corners[] = {&face.m_n[0]->m_x, &face.m_n[1]->m_x, &face.m_n[2]->m_x};
+    return btDbvtVolume::FromPoints(corners, 3);
 }
 
 /// Along which the leaves reach farthest.
@@ -52,6 +57,24 @@ btDbvtNode* treeOf(Leaves::iterator begin, Leaves::iterator end) {
     return node;
 }
 
+void fill(btDbvt& tree, Leaves leaves) {
+    if (leaves.empty()) return;
+    tree.m_root = treeOf(leaves.begin(), leaves.end());
+    tree.m_leaves = static_cast<int>(leaves.size());
+}
+
+/// Bullet's leaves of nodes are as wide as the margin was when they were made, 0.25 m by default, and never shrink.
+void makeNodeTree(btSoftBody& body) {
+    body.m_ndbvt.clear();
+    Leaves leaves;
+    leaves.reserve(static_cast<std::size_t>(body.m_nodes.size()));
+    for (int n = 0; n < body.m_nodes.size(); ++n) {
+        btSoftBody::Node& node = body.m_nodes[n];
+        leaves.push_back(node.m_leaf = newLeaf(btDbvtVolume::FromCR(node.m_x, 0), &node));
+    }
+    fill(body.m_ndbvt, std::move(leaves));
+}
+
 btDbvntNode* withNormals(const btDbvtNode& from) {
     auto* const node = new btDbvntNode(&from);
     if (from.isleaf()) return node;
@@ -70,13 +93,15 @@ void dropFaceTree(btSoftBody& body) {
 
 void makeFaceTree(btSoftBody& body) {
     dropFaceTree(body);
+    makeNodeTree(body);
     Leaves leaves;
     leaves.reserve(static_cast<std::size_t>(body.m_faces.size()));
-    for (int f = 0; f < body.m_faces.size(); ++f)
-        leaves.push_back(body.m_faces[f].m_leaf = newLeaf(body.m_faces[f]));
+    for (int f = 0; f < body.m_faces.size(); ++f) {
+        btSoftBody::Face& face = body.m_faces[f];
+        leaves.push_back(face.m_leaf = newLeaf(boundsOf(face), &face));
+    }
     if (leaves.empty()) return;
-    body.m_fdbvt.m_root = treeOf(leaves.begin(), leaves.end());
-    body.m_fdbvt.m_leaves = body.m_faces.size();
+    fill(body.m_fdbvt, std::move(leaves));
     body.m_fdbvnt = withNormals(*body.m_fdbvt.m_root);
 }
 
