@@ -21,7 +21,7 @@ enum class OnTrouble {
 
 /// What can go wrong with a sheet.
 enum class Trouble {
-    /// A node was nowhere finite, or over 1e9 m off: it went back, at rest, to its last place.
+    /// A node was nowhere finite, or over 1e7 m off: it went back, at rest, to its last place.
     position,
     /// The velocity of a node was not finite, or over 1e6 m/s along an axis: the node came to rest.
     velocity,
@@ -29,7 +29,7 @@ enum class Trouble {
     force,
     /// The inverse mass of a node was not finite, or negative: it got that of its cloth and water.
     mass,
-    /// The small steps of a substep took a node nowhere finite, or over 1e9 m off: the sheet stayed where it was, at rest.
+    /// The small steps of a substep took a node nowhere finite, or over 1e7 m off: the sheet stayed where it was, at rest.
     motion,
     /// Gravity was not finite, or over 1e4 m/s2: the world info got the last usable one.
     gravity,
@@ -69,7 +69,7 @@ struct SheetHealth {
     double stepBound;
     /// Small steps of the last substep; 0 where no SmallStepSolver moves the sheet.
     int smallSteps;
-    /// Substeps, since the WetCloth was made, whose small steps took a node nowhere finite, or over 1e9 m off, so that the
+    /// Substeps, since the WetCloth was made, whose small steps took a node nowhere finite, or over 1e7 m off, so that the
     /// sheet stayed where it was, at rest. 0 but for forces or obstacles beyond all measure.
     int heldSubsteps;
     /// Whether the body is the cloth that the WetCloth knows. If not, strain and penetration are 0, and the next

@@ -1,6 +1,7 @@
 #include "body_state.h"
 
 #include "face_tree.h"
+#include "mending.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -34,12 +35,12 @@ void BodyState::state(BulletPass& pass) {
 void BodyState::nodes(BulletPass& pass) {
     for (int n = 0; n < body_.m_nodes.size(); ++n) {
         btSoftBody::Node& node = body_.m_nodes[n];
-        for (btVector3* vector : {&node.m_x, &node.m_q, &node.m_v, &node.m_f, &node.m_n})
-            pass.vector(*vector);
+        for (btVector3* place : {&node.m_x, &node.m_q}) pass.vector(*place, farthestPlace);
+        pass.vector(node.m_v, fastestNode);
+        for (btVector3* vector : {&node.m_f, &node.m_n}) pass.vector(*vector);
         pass.number(node.m_im, 0, BulletPass::farthest);
         if (!isDeformable_) continue;
-        pass.vector(node.m_vn);
-        pass.vector(node.m_splitv);
+        for (btVector3* velocity : {&node.m_vn, &node.m_splitv}) pass.vector(*velocity, fastestNode);
         pass.matrix(node.m_effectiveMass);
         pass.matrix(node.m_effectiveMass_inv);
         pass.number(node.m_constrained);

@@ -14,7 +14,7 @@ void BulletPass::matrix(btMatrix3x3& value) {
 }
 
 void BulletPass::node(MovingNode& value) {
-    for (float* part : {&value.x, &value.y, &value.z, &value.inverseMass}) number(*part);
+    for (float* part : {&value.x, &value.y, &value.z, &value.inverseMass}) number(*part, -1e9, 1e9);
 }
 
 void BulletPass::nodes(std::vector<MovingNode>& values, std::size_t count) {

@@ -140,7 +140,7 @@ void WetCloth::Layer::reportHeldSubsteps() {
     if (std::exchange(heldSubsteps, mechanics.heldSubsteps) == mechanics.heldSubsteps) return;
     troubles.note(Trouble::motion,
                   "the small steps of the last substep took node " + std::to_string(mechanics.heldNode) +
-                      " to a place that is not finite, or over 1e9 m off, so the sheet stayed where it was, "
+                      " to a place that is not finite, or over 1e7 m off, so the sheet stayed where it was, "
                       "at rest; look for forces, "
                       "speeds or obstacles beyond all measure",
                   mechanics.heldNode);

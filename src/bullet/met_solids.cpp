@@ -13,13 +13,17 @@ namespace {
 
 SurfacePoint nearestPart(const btCollisionShape& shape, const btTransform& transform, const btVector3& point,
                          btSparseSdf<3>& field) {
+    SurfacePoint nearest = {std::numeric_limits<btScalar>::infinity(), {0, 0, 0}};
     if (shape.isConvex()) {
+        const btVector3 place = transform.invXform(point);
+        // Bullet counts voxels with whole numbers, and does not look whether they suffice.
+        constexpr btScalar mostVoxels = btScalar(1e8);
+        if (!(place.length() < mostVoxels * field.voxelsz)) return nearest;
         SurfacePoint found;
-        found.distance = field.Evaluate(transform.invXform(point), &shape, found.normal, 0);
+        found.distance = field.Evaluate(place, &shape, found.normal, 0);
         found.normal = transform.getBasis() * found.normal;
         return found;
     }
-    SurfacePoint nearest = {std::numeric_limits<btScalar>::infinity(), {0, 0, 0}};
     if (!shape.isCompound()) return nearest;
     const auto& compound = static_cast<const btCompoundShape&>(shape);
     for (int i = 0; i < compound.getNumChildShapes(); ++i) {

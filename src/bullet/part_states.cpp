@@ -7,6 +7,7 @@
 #include "bullet_pass.h"
 #include "fluid_forces.h"
 #include "grip.h"
+#include "mending.h"
 #include "small_step_sheet.h"
 #include "stock_contacts.h"
 #include "submersion.h"
@@ -34,8 +35,9 @@ void FluidForces::state(BulletPass& pass) {
     pass.flag(isGoingOn_);
     pass.flag(hasRested_);
     pass.number(lastSubstep_, 0);
-    pass.node(gravity_);
-    pass.node(lastGravity_);
+    for (MovingNode* gravity : {&gravity_, &lastGravity_})
+        for (float* part : {&gravity->x, &gravity->y, &gravity->z, &gravity->inverseMass})
+            pass.number(*part, -strongestGravity, strongestGravity);
 }
 
 void Grip::state(BulletPass& pass) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs one fuzzer for a while, on all its corpus and on; installs clang if it is missing. What it finds is written to
 # build-fuzz/findings/NAME and ends it with a status other than 0; put it into the corpus once it is mended.
-# $1: scene_file, mask, moisture or sheet; $2: seconds, 60 by default; $3...: options of libFuzzer's.
+# $1: scene_file, fabric_file, mesh_file, mask, snapshot, moisture or sheet; $2: seconds, 60 by default; $3...: options of libFuzzer's.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd)
 . "$root/cmake/prepare.sh"
