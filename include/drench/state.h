@@ -30,6 +30,7 @@ class DRENCH_API StateWriter {
         } else if constexpr (std::is_same_v<Number, double>) {
             std::memcpy(&bits, &value, sizeof bits);
         } else {
+            // put keeps the low bytes alone. NOLINTNEXTLINE(bugprone-signed-char-misuse)
             bits = static_cast<std::uint64_t>(value);
         }
         put(bits, sizeof(Number));
