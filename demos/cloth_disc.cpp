@@ -30,6 +30,9 @@ class Grid {
   public:
     Grid(DiscMesh& mesh, double cell, double radius) : mesh_(mesh), cell_(cell), radius_(radius) {
         reach_ = int(std::ceil(radius / cell));
+    }
+
+    void fill() {
         for (int j = -reach_; j <= reach_; ++j)
             for (int i = -reach_; i <= reach_; ++i) addCell(i, j);
     }
@@ -181,7 +184,7 @@ void addEdgesAsLinks(DiscMesh& mesh) {
 DiscMesh discMesh(double radius, int nodesAcross, double innerRadius) {
     const double cell = 2 * radius / (nodesAcross - 1);
     DiscMesh mesh;
-    Grid(mesh, cell, radius - 0.7 * cell);
+    Grid(mesh, cell, radius - 0.7 * cell).fill();
     dropLoneNodes(mesh);
     const std::vector<int> border = borderOf(mesh);
     const Eigen::Vector2d& first = mesh.nodes[std::size_t(border.front())];
