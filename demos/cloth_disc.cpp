@@ -198,10 +198,11 @@ DiscMesh discMesh(double radius, int nodesAcross, double innerRadius) {
 
 std::unique_ptr<btSoftBody> makeDisc(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
                                      const DiscMesh& mesh, const btVector3& centre) {
-    btAlignedObjectArray<btVector3> places;
+    std::vector<btVector3> places;
+    places.reserve(mesh.nodes.size());
     for (const Eigen::Vector2d& node : mesh.nodes)
         places.push_back(centre + btVector3(btScalar(node.x()), 0, btScalar(node.y())));
-    auto body = std::make_unique<btSoftBody>(&worldInfo, places.size(), &places[0], nullptr);
+    auto body = std::make_unique<btSoftBody>(&worldInfo, int(places.size()), places.data(), nullptr);
     std::vector<double> masses(mesh.nodes.size(), 0);
     double area = 0;
     for (const auto& triangle : mesh.triangles) {
