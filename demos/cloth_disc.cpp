@@ -30,6 +30,9 @@ class Grid {
   public:
     Grid(DiscMesh& mesh, double cell, double radius) : mesh_(mesh), cell_(cell), radius_(radius) {
         reach_ = int(std::ceil(radius / cell));
+    }
+
+    void fill() {
         for (int j = -reach_; j <= reach_; ++j)
             for (int i = -reach_; i <= reach_; ++i) addCell(i, j);
     }
@@ -181,7 +184,7 @@ void addEdgesAsLinks(DiscMesh& mesh) {
 DiscMesh discMesh(double radius, int nodesAcross, double innerRadius) {
     const double cell = 2 * radius / (nodesAcross - 1);
     DiscMesh mesh;
-    Grid(mesh, cell, radius - 0.7 * cell);
+    Grid(mesh, cell, radius - 0.7 * cell).fill();
     dropLoneNodes(mesh);
     const std::vector<int> border = borderOf(mesh);
     const Eigen::Vector2d& first = mesh.nodes[std::size_t(border.front())];
@@ -195,10 +198,11 @@ DiscMesh discMesh(double radius, int nodesAcross, double innerRadius) {
 
 std::unique_ptr<btSoftBody> makeDisc(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
                                      const DiscMesh& mesh, const btVector3& centre) {
-    btAlignedObjectArray<btVector3> places;
+    std::vector<btVector3> places;
+    places.reserve(mesh.nodes.size());
     for (const Eigen::Vector2d& node : mesh.nodes)
         places.push_back(centre + btVector3(btScalar(node.x()), 0, btScalar(node.y())));
-    auto body = std::make_unique<btSoftBody>(&worldInfo, places.size(), &places[0], nullptr);
+    auto body = std::make_unique<btSoftBody>(&worldInfo, int(places.size()), places.data(), nullptr);
     std::vector<double> masses(mesh.nodes.size(), 0);
     double area = 0;
     for (const auto& triangle : mesh.triangles) {

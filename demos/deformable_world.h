@@ -19,6 +19,8 @@ class DeformableWorld final : public SceneWorld {
   public:
     DeformableWorld();
     ~DeformableWorld() override;
+    DeformableWorld(const DeformableWorld&) = delete;
+    DeformableWorld& operator=(const DeformableWorld&) = delete;
 
     btDeformableMultiBodyDynamicsWorld& world() override { return *world_; }
     btSoftBodyWorldInfo& worldInfo() override { return world_->getWorldInfo(); }

@@ -135,6 +135,7 @@ bool Panel::show(const Snapshot& snapshot, PanelState& state, Simulation& simula
 
 void chooseNeighbour(PanelState& state, int step) {
     const int count = int(scenes().size());
+    if (count == 0) return;
     int place = 0;
     while (place < count && scenes()[std::size_t(place)].name != state.scene) ++place;
     const SceneEntry& next = scenes()[std::size_t((place + step + count) % count)];

@@ -1,7 +1,6 @@
 #include <imgui/imgui.h>
 
 #include <array>
-#include <cstdio>
 #include <exception>
 
 #include "panel_groups.h"
@@ -13,7 +12,7 @@ namespace {
 
 void editName(std::string& file) {
     std::array<char, 512> text{};
-    std::snprintf(text.data(), text.size(), "%s", file.c_str());
+    file.copy(text.data(), text.size() - 1);
     if (ImGui::InputText("file", text.data(), text.size())) file = text.data();
 }
 

@@ -24,6 +24,7 @@ viewer::Weave weaveOf(Construction construction) {
 template <typename Quantity>
 std::vector<float> ofEachNode(const btSoftBody& body, const Quantity& quantity) {
     std::vector<float> result;
+    result.reserve(static_cast<std::size_t>(body.m_nodes.size()));
     for (int node = 0; node < body.m_nodes.size(); ++node) result.push_back(float(quantity(node)));
     return result;
 }
@@ -79,7 +80,7 @@ viewer::SheetMesh sheetMesh(const btSoftBody& body, const WetCloth& cloth, View 
         mesh.gloss[place] = float(cloth.gloss(n));
         mesh.dampness.push_back(float(cloth.saturation(n)));
         mesh.transmittance.push_back(float(cloth.transmittance(n)));
-        mesh.clothCoordinates.push_back(cloth.materialCoordinates()[place].cast<float>());
+        mesh.clothCoordinates.emplace_back(cloth.materialCoordinates()[place].cast<float>());
     }
     mesh.weave = weaveOf(cloth.fabric().construction);
     mesh.threadSpacing = float(cloth.fabric().threadSpacing);

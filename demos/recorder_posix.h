@@ -2,22 +2,22 @@
 #pragma once
 
 #include <fcntl.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
-#include <cstring>
+#include <csignal>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "recorder.h"
 
-extern char** environ;
+extern char** environ;  // NOLINT(readability-redundant-declaration): only glibc declares it
 
 namespace drench::demo {
 
@@ -26,7 +26,7 @@ class Recorder::Process {
   public:
     explicit Process(const std::vector<std::string>& command) {
         int ends[2];
-        if (pipe(ends) != 0) throw std::runtime_error(std::string("no pipe to ffmpeg: ") + strerror(errno));
+        if (pipe(ends) != 0) throw std::runtime_error("no pipe to ffmpeg: " + nameOf(errno));
         for (const int descriptor : ends) fcntl(descriptor, F_SETFD, FD_CLOEXEC);
         toChild_ = ends[1];
         const int problem = start(command, ends[0]);
@@ -37,7 +37,7 @@ class Recorder::Process {
             problem == ENOENT
                 ? "there is no ffmpeg to make films with; install it (Debian: apt-get install ffmpeg), or "
                   "write pictures with --frames FOLDER --every 1"
-                : std::string("ffmpeg cannot be started: ") + strerror(problem));
+                : "ffmpeg cannot be started: " + nameOf(problem));
     }
     ~Process() { end(); }
     Process(const Process&) = delete;
@@ -105,9 +105,12 @@ class Recorder::Process {
         sigset_t before_;
     };
 
+    static std::string nameOf(int problem) { return std::generic_category().message(problem); }
+
     /// @return 0, or what went wrong as errno has it
     int start(const std::vector<std::string>& command, int input) {
         std::vector<char*> arguments;
+        arguments.reserve(command.size() + 1);
         for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
         arguments.push_back(nullptr);
         posix_spawn_file_actions_t actions;

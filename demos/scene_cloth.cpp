@@ -150,9 +150,9 @@ SheetDescription SceneCloth::describe() const {
 }
 
 Eigen::Vector2d SceneCloth::flatPlace(int node) const {
-    const double i = node % nodesWarp(), j = node / nodesWarp();
-    return {i / (nodesWarp() - 1) * description_.warp.norm(),
-            j / (nodesWeft() - 1) * description_.weft.norm()};
+    const int i = node % nodesWarp(), j = node / nodesWarp();
+    return {double(i) / (nodesWarp() - 1) * description_.warp.norm(),
+            double(j) / (nodesWeft() - 1) * description_.weft.norm()};
 }
 
 void SceneCloth::place(int i, int j, const btVector3& position) {

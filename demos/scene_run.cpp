@@ -107,7 +107,7 @@ viewer::Picture SceneRun::pictureOf(const Scene& scene, const Hand& hand) const 
 
 std::optional<std::string> SceneRun::pictureName() const {
     if (options_.frames.empty()) return std::nullopt;
-    if (const auto moment = scene_->moment()) return moment;
+    if (auto moment = scene_->moment()) return moment;
     if (options_.every > 0 && frames_ % options_.every == 0) return frameName(frames_);
     return std::nullopt;
 }

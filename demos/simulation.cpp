@@ -81,7 +81,7 @@ void Simulation::setView(View view) {
     // As a command, so that it is seen at once while the scene stands still.
     change([&] {
         orders_.view = view;
-        orders_.commands.push_back([](Scene&) {});
+        orders_.commands.emplace_back([](Scene&) {});
     });
 }
 

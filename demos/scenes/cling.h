@@ -16,6 +16,8 @@ class Cling final : public StagedScene {
   public:
     explicit Cling(const SceneOptions& options);
     ~Cling() override;
+    Cling(const Cling&) = delete;
+    Cling& operator=(const Cling&) = delete;
 
     std::vector<Column> columns() const override;
     std::vector<double> row() const override;

@@ -235,7 +235,7 @@ void Clothesline::report(std::ostream& out) const {
 void Clothesline::checkDrops(std::vector<std::string>& list) const {
     constexpr double lightest = 30e-6, heaviest = 85e-6;  // kg
     if (dropsFallen_ == 0) {
-        list.push_back("no drop has fallen");
+        list.emplace_back("no drop has fallen");
     } else if (lightestDrop_ < lightest || heaviestDrop_ > heaviest) {
         list.push_back("drops have " + std::to_string(1e6 * lightestDrop_) + " to " +
                        std::to_string(1e6 * heaviestDrop_) + " mg instead of 30 to 85 mg");
@@ -250,7 +250,7 @@ void Clothesline::checkDrying(std::vector<std::string>& list) const {
                        std::to_string(rate->expected));
     if (!wholeLength_) return;
     if (!rate && cloth().isMadeOf("cotton"))  // thinner cloth drips until parts of it are dry
-        list.push_back("there was no time between dripping and drying up to measure its drying");
+        list.emplace_back("there was no time between dripping and drying up to measure its drying");
     if (!(std::abs(content() - balance_) < contentTolerance * balance_))
         list.push_back("it ends at a content of " + std::to_string(content()) + " instead of " +
                        std::to_string(balance_));

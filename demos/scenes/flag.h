@@ -16,6 +16,8 @@ class Flag final : public StagedScene {
   public:
     explicit Flag(const SceneOptions& options);
     ~Flag() override;
+    Flag(const Flag&) = delete;
+    Flag& operator=(const Flag&) = delete;
 
     std::vector<Column> columns() const override;
     std::vector<double> row() const override;

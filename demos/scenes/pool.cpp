@@ -119,7 +119,7 @@ void Dip::check(std::vector<std::string>& list) const {
     if (!(meanSaturation() > 0.9))
         list.push_back("at the end the pores are filled to " + std::to_string(meanSaturation()) + " only");
     if (!(ledger.dripped > 0 && ledger.returned > 0))
-        list.push_back("nothing ran back to the pool, or nothing dripped");
+        list.emplace_back("nothing ran back to the pool, or nothing dripped");
     double lifted = 0;
     for (int n = 0; n < cloth().body().m_nodes.size(); ++n) lifted += cloth().wet().nodeMass(n);
     const double owed = cloth().wet().dryMass() + ledger.supplied - ledger.returned - ledger.dripped;

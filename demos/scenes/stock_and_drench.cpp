@@ -233,7 +233,7 @@ std::vector<std::string> StockAndDrench::failures() const {
         if (!exhibit->isStock() && !(exhibit->meanStrain() < 0.05))
             list.push_back(exhibit->name() + " strains by " + number(exhibit->meanStrain(), 4));
     if (!(exhibits_[2]->meanStrain() > exhibits_[1]->meanStrain()))
-        list.push_back("the wet sheet does not stretch more than the dry one");
+        list.emplace_back("the wet sheet does not stretch more than the dry one");
     return list;
 }
 

@@ -16,6 +16,8 @@ class StockAndDrench final : public Scene {
   public:
     explicit StockAndDrench(const SceneOptions& options);
     ~StockAndDrench() override;
+    StockAndDrench(const StockAndDrench&) = delete;
+    StockAndDrench& operator=(const StockAndDrench&) = delete;
 
     void advance() override;
     bool finished() const override { return time_ >= duration_; }

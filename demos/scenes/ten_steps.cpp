@@ -187,10 +187,10 @@ double TenSteps::meanAlbedo() const {
 }
 
 double TenSteps::waterOfInnerNode() const {
-    const auto n =
-        static_cast<std::size_t>(sheet().nodesWarp() / 2 + sheet().nodesWarp() * (sheet().nodesWeft() / 2));
+    const int inner = sheet().nodesWarp() / 2 + sheet().nodesWarp() * (sheet().nodesWeft() / 2);
+    const auto node = static_cast<std::size_t>(inner);
     const Moisture& moisture = sheet().wet().moisture();
-    return moisture.poreMass()[n] + moisture.filmMass()[n];
+    return moisture.poreMass()[node] + moisture.filmMass()[node];
 }
 
 void TenSteps::measureStill() {

@@ -17,6 +17,8 @@ class TenSteps final : public Scene {
   public:
     explicit TenSteps(const SceneOptions& options);
     ~TenSteps() override;
+    TenSteps(const TenSteps&) = delete;
+    TenSteps& operator=(const TenSteps&) = delete;
 
     void advance() override;
     bool finished() const override;

@@ -50,7 +50,7 @@ void showDish(viewer::Picture& picture, float level) {
         panel({{{-x, level, -z}, {-x, level, z}, {x, level, z}, {x, level, -z}}}, water, 1));
     const std::array<Eigen::Vector2f, 4> turns{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
     for (std::size_t i = 0; i < 4; ++i) {
-        const Eigen::Vector2f from = turns[i], to = turns[(i + 1) % 4];
+        const Eigen::Vector2f &from = turns[i], &to = turns[(i + 1) % 4];
         const auto corner = [&](const Eigen::Vector2f& turn, float height, float scale) {
             return Eigen::Vector3f(turn.x() * x * scale, height, turn.y() * z * scale);
         };
@@ -256,7 +256,7 @@ void Wick::check(std::vector<std::string>& list) const {
     if (washburn && !(washburn->determination > leastDetermination))
         list.push_back("the square of the height does not grow with time: R2 is " +
                        std::to_string(washburn->determination));
-    if (!washburn && waterMinutes() > 5) list.push_back("the front has not risen enough for a fit");
+    if (!washburn && waterMinutes() > 5) list.emplace_back("the front has not risen enough for a fit");
 }
 
 }  // namespace drench::demo

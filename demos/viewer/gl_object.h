@@ -17,6 +17,8 @@ class GlObject {
         std::swap(name_, other.name_);
         return *this;
     }
+    GlObject(const GlObject&) = delete;
+    GlObject& operator=(const GlObject&) = delete;
     ~GlObject() {
         if (name_ != 0) {
             Kind::destroy(name_);

@@ -16,7 +16,10 @@ std::string lastError() {
 
 bool glfwStarted() {
     struct StopAtExit {
+        StopAtExit() = default;
         ~StopAtExit() { glfwTerminate(); }
+        StopAtExit(const StopAtExit&) = delete;
+        StopAtExit& operator=(const StopAtExit&) = delete;
     };
     // GLFW stays connected until the program ends: X servers such as Xvfb start afresh when their last
     // program leaves, and refuse the next one meanwhile.

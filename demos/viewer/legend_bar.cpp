@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
+#include <sstream>
 
 #include "viewer/caption_text.h"
 #include "viewer/colour_map.h"
@@ -55,10 +56,9 @@ std::vector<std::string> legendTicks(const Legend& legend) {
     const int decimals = decimalsFor(step);
     std::vector<std::string> ticks;
     for (int i = 0; i <= parts; ++i) {
-        char text[64];
-        std::snprintf(text, sizeof text, "%.*f", decimals,
-                      static_cast<double>(legend.from + step * static_cast<float>(i)));
-        ticks.emplace_back(text);
+        std::ostringstream text;
+        text << std::fixed << std::setprecision(decimals) << legend.from + step * static_cast<float>(i);
+        ticks.push_back(text.str());
     }
     return ticks;
 }

@@ -4,7 +4,8 @@
 #include <epoxy/egl.h>
 
 #include <array>
-#include <cstdio>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,17 +14,15 @@
 
 namespace drench::viewer {
 
-namespace {
-
-std::runtime_error eglError(const std::string& what) {
-    std::array<char, 16> code{};
-    std::snprintf(code.data(), code.size(), "0x%04x", static_cast<unsigned>(eglGetError()));
+inline std::runtime_error eglError(const std::string& what) {
+    std::ostringstream code;
+    code << "0x" << std::hex << std::setw(4) << std::setfill('0') << eglGetError();
     return std::runtime_error(
-        "viewer: no off-screen OpenGL: " + what + " (EGL error " + code.data() +
+        "viewer: no off-screen OpenGL: " + what + " (EGL error " + code.str() +
         "); install EGL and Mesa's drivers (Debian: libegl1 libegl-mesa0 libgl1-mesa-dri)");
 }
 
-bool lists(const char* extensions, std::string_view wanted) {
+inline bool lists(const char* extensions, std::string_view wanted) {
     std::string_view rest = extensions == nullptr ? "" : extensions;
     while (!rest.empty()) {
         const std::size_t end = rest.find(' ');
@@ -35,11 +34,11 @@ bool lists(const char* extensions, std::string_view wanted) {
     return false;
 }
 
-bool initialised(EGLDisplay display) {
+inline bool initialised(EGLDisplay display) {
     return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE;
 }
 
-EGLDisplay openDisplay() {
+inline EGLDisplay openDisplay() {
     const char* const extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (lists(extensions, "EGL_EXT_platform_base") && lists(extensions, "EGL_MESA_platform_surfaceless")) {
         const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
@@ -54,7 +53,7 @@ EGLDisplay openDisplay() {
     return display;
 }
 
-EGLConfig chooseConfig(EGLDisplay display, bool surfaceless) {
+inline EGLConfig chooseConfig(EGLDisplay display, bool surfaceless) {
     const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
                                        surfaceless ? 0 : EGL_PBUFFER_BIT, EGL_NONE};
     EGLConfig config = nullptr;
@@ -64,8 +63,6 @@ EGLConfig chooseConfig(EGLDisplay display, bool surfaceless) {
     }
     return config;
 }
-
-}  // namespace
 
 class OffscreenContext::Platform {
   public:

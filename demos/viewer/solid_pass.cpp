@@ -26,7 +26,7 @@ void addCorners(std::vector<Eigen::Vector3f>& points, const Eigen::Vector3f& cen
     for (int corner = 0; corner < 8; ++corner) {
         const Eigen::Vector3f sign((corner & 1) != 0 ? 1.0f : -1.0f, (corner & 2) != 0 ? 1.0f : -1.0f,
                                    (corner & 4) != 0 ? 1.0f : -1.0f);
-        points.push_back(centre + radius * sign);
+        points.emplace_back(centre + radius * sign);
     }
 }
 

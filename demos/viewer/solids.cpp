@@ -76,6 +76,7 @@ std::vector<Water> drawableWaters(const std::vector<Water>& waters) {
 
 std::vector<SolidInstance> instances(const std::vector<Ball>& balls) {
     std::vector<SolidInstance> packedBalls;
+    packedBalls.reserve(balls.size());
     for (const Ball& ball : balls) {
         packedBalls.push_back({packed(ball.centre, ball.radius), packed(ball.orientation),
                                packed(ball.albedo, number(ball.material))});
@@ -85,6 +86,7 @@ std::vector<SolidInstance> instances(const std::vector<Ball>& balls) {
 
 std::vector<SolidInstance> instances(const std::vector<Rod>& rods) {
     std::vector<SolidInstance> packedRods;
+    packedRods.reserve(rods.size());
     for (const Rod& rod : rods) {
         packedRods.push_back(
             {packed(rod.from, rod.radius), packed(rod.to, 1.0f), packed(rod.albedo, number(rod.material))});
@@ -94,6 +96,7 @@ std::vector<SolidInstance> instances(const std::vector<Rod>& rods) {
 
 std::vector<SolidInstance> instances(const std::vector<Box>& boxes) {
     std::vector<SolidInstance> packedBoxes;
+    packedBoxes.reserve(boxes.size());
     for (const Box& box : boxes) {
         packedBoxes.push_back({packed(box.centre, 1.0f), packed(box.orientation),
                                packed(box.albedo, number(box.material)), packed(box.halfExtents, 0.0f)});
@@ -103,6 +106,7 @@ std::vector<SolidInstance> instances(const std::vector<Box>& boxes) {
 
 std::vector<SolidInstance> instances(const std::vector<Water>& waters) {
     std::vector<SolidInstance> packedWaters;
+    packedWaters.reserve(waters.size());
     for (const Water& water : waters) {
         packedWaters.push_back({packed(water.centre, water.time), {}, {}, packed(water.halfExtents, 0.0f)});
     }

@@ -46,6 +46,8 @@ class DRENCH_API Moisture {
     ~Moisture();
     Moisture(Moisture&&) noexcept;  ///< Takes over the water; the other may be destroyed or assigned to.
     Moisture& operator=(Moisture&&) noexcept;  ///< The same.
+    Moisture(const Moisture&) = delete;
+    Moisture& operator=(const Moisture&) = delete;
 
     /// Number of nodes. Every `node` below is an index less than that; else std::out_of_range, where a call checks it.
     std::size_t size() const { return areas_.size(); }

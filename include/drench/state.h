@@ -30,7 +30,7 @@ class DRENCH_API StateWriter {
         } else if constexpr (std::is_same_v<Number, double>) {
             std::memcpy(&bits, &value, sizeof bits);
         } else {
-            bits = static_cast<std::uint64_t>(value);
+            bits = static_cast<std::uint64_t>(value);  // NOLINT(bugprone-signed-char-misuse): put cuts it
         }
         put(bits, sizeof(Number));
     }

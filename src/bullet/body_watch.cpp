@@ -27,6 +27,8 @@ class WatchedShape final : public btSoftBodyCollisionShape {
         copyUserData(*own_, *this);
     }
     ~WatchedShape() override { *alive_ = false; }
+    WatchedShape(const WatchedShape&) = delete;
+    WatchedShape& operator=(const WatchedShape&) = delete;
 
     const char* getName() const override { return watchedShapeName; }
 

@@ -304,6 +304,8 @@ void WetCloth::Layer::supply(double waterTime) {
             layer.supplying = false;
             layer.forgetRemoved();
         }
+        Supplying(const Supplying&) = delete;
+        Supplying& operator=(const Supplying&) = delete;
         Layer& layer;
     } during(*this);
     const std::size_t count = suppliers.size();

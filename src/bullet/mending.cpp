@@ -178,6 +178,7 @@ void mendNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const s
 
 std::vector<btVector3> placesOf(const btSoftBody& body) {
     std::vector<btVector3> places;
+    places.reserve(static_cast<std::size_t>(body.m_nodes.size()));
     for (int n = 0; n < body.m_nodes.size(); ++n) places.push_back(body.m_nodes[n].m_x);
     return places;
 }

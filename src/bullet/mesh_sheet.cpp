@@ -119,9 +119,11 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
                                       const TriangleMesh& mesh) {
     validate(fabric);
     validate(mesh);
-    btAlignedObjectArray<btVector3> places;
+    std::vector<btVector3> places;
+    places.reserve(mesh.vertices.size());
     for (const Eigen::Vector3d& vertex : mesh.vertices) places.push_back(toBullet(vertex));
-    auto body = std::make_unique<btSoftBody>(&worldInfo, places.size(), &places[0], nullptr);
+    auto body =
+        std::make_unique<btSoftBody>(&worldInfo, static_cast<int>(places.size()), places.data(), nullptr);
     appendCloth(*body, mesh);
     setMasses(*body, fabric.arealDensity);
     body->m_cfg.kDF = btScalar(fabric.plateFrictionDry);

@@ -62,6 +62,8 @@ void callApplication(Chain& chain, btDynamicsWorld* world, btScalar dt) {
         std::size_t& depth;
         explicit Deeper(std::size_t& d) : depth(d) { ++depth; }
         ~Deeper() { --depth; }
+        Deeper(const Deeper&) = delete;
+        Deeper& operator=(const Deeper&) = delete;
     } const deeper(chain.depth);
     callback(world, dt);
 }
@@ -79,6 +81,8 @@ void callListeners(Chain& chain, btScalar dt) {
             chain.callingListeners = false;
             removeGone(chain);
         }
+        Calling(const Calling&) = delete;
+        Calling& operator=(const Calling&) = delete;
     } const calling(chain);
     for (std::size_t i = 0; i < chain.listeners.size(); ++i)
         if (chain.listeners[i]) chain.listeners[i]->preTick(dt);

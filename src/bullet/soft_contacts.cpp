@@ -148,11 +148,11 @@ SoftContacts::Contact SoftContacts::placed(const Found& found, const std::vector
     const btSoftBody::SContact& source = found.contact;
     btVector3 apart = place(contact, 0, *source.m_node, *found.owner, sheets);
     contact.weights[0] = 1;
-    for (int corner = 0; corner < 3; ++corner) {
-        const auto at = static_cast<std::size_t>(corner + 1);
-        apart -=
-            place(contact, at, *source.m_face->m_n[corner], *found.other, sheets) * source.m_weights[corner];
-        contact.weights[at] = -float(source.m_weights[corner]);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::size_t at = corner + 1;
+        apart -= place(contact, at, *source.m_face->m_n[corner], *found.other, sheets) *
+                 source.m_weights[int(corner)];
+        contact.weights[at] = -float(source.m_weights[int(corner)]);
     }
     contact.normal = source.m_normal;
     contact.friction = float(source.m_friction);

@@ -28,6 +28,7 @@ class WetSpringForce final : public btDeformableLagrangianForce {
 
     /// @param mechanics  outlives this
     explicit WetSpringForce(const SheetMechanics& mechanics);
+    ~WetSpringForce() override = default;
     WetSpringForce(const WetSpringForce&) = delete;
     WetSpringForce& operator=(const WetSpringForce&) = delete;
 

@@ -35,7 +35,7 @@ double checkedLength(const WindField& field) {
 }
 
 Eigen::Vector3d checkedVelocity(const WindField& field, const Eigen::Vector3d& place, double time) {
-    const Eigen::Vector3d velocity = field.velocity(place, time);
+    Eigen::Vector3d velocity = field.velocity(place, time);
     if (velocity.norm() <= fastest) return velocity;
     std::ostringstream message;
     message << "drench: the wind field in WetCloth::air().field has a velocity of (" << velocity.transpose()

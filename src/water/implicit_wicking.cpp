@@ -29,6 +29,7 @@ ImplicitWicking::ImplicitWicking(const BrooksCorey& curve, double fluxScale, con
     saturation_.resize(nodes);
     residual_.resize(nodes);
     std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(capacities.size() + 2 * edges.size());
     for (int n = 0; n < nodes; ++n) entries.emplace_back(n, n, 1.0);
     for (const Edge& edge : edges_) {
         entries.emplace_back(edge.a, edge.b, 1.0);

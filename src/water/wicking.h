@@ -31,6 +31,8 @@ class Wicking {
     ~Wicking();
     Wicking(Wicking&&) noexcept;
     Wicking& operator=(Wicking&&) noexcept;
+    Wicking(const Wicking&) = delete;
+    Wicking& operator=(const Wicking&) = delete;
 
     /// Longest explicit step that keeps every store at or above zero, s.
     double explicitBound(double gravity) const;

@@ -337,7 +337,8 @@ TEST(Abuse, AHundredSheets) {
     std::vector<WetCloth*> cloths;
     for (int i = 0; i < 100; ++i) {
         auto sheet = test::hangingSheet(rig.info(), fabric, 0.3, 7);
-        sheet->translate({btScalar(i % 10), 0, btScalar(0.04 * (i / 10))});
+        const int column = i % 10, row = i / 10;
+        sheet->translate({btScalar(column), 0, btScalar(0.04 * row)});
         sheet->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
         cloths.push_back(&rig.cover(rig.add(std::move(sheet)), fabric));
         cloths.back()->soak(0.002 * i);

@@ -60,7 +60,8 @@ struct Crumpled {
         bullet.step(1e-3, 1);
         for (int n = 0; n < sheet->m_nodes.size(); ++n) {
             btSoftBody::Node& node = sheet->m_nodes[n];
-            const double u = n % 9, v = n / 9;
+            const int column = n % 9, row = n / 9;
+            const double u = column, v = row;
             node.m_q = node.m_x + btVector3(btScalar(0.01 * std::sin(3 * u + v)), btScalar(0.006 * v),
                                             btScalar(0.02 * std::cos(2 * v - u)));
         }

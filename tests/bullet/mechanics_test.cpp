@@ -29,7 +29,8 @@ Outcome inBullet(const Fabric& fabric, double water, double dt) {
     WetCloth cloth(bullet.world(), *sheet, fabric, settings);
     cloth.presoak(water * fabric.arealDensity);
     sheet->m_cfg.kDP = btScalar(3 * dt);
-    bullet.step(5, static_cast<int>(5 / dt));
+    constexpr double duration = 5;  // s
+    bullet.step(duration, static_cast<int>(duration / dt));
 
     Outcome outcome{-side - double(sheet->m_nodes[nodes / 2 + nodes * (nodes - 1)].m_x.y()), 0};
     outcome.meanStrain = test::meanStrain(*sheet);

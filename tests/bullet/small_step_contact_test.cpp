@@ -296,9 +296,9 @@ class MeshGround {
   public:
     explicit MeshGround(btDynamicsWorld& world) : world_(world) {
         const auto height = [](int i) { return i == cells / 2 ? 0.1 : 0.0; };
+        constexpr int middle = cells / 2;
         const auto corner = [&](int i, int j) {
-            return btVector3(btScalar(0.1 * (i - cells / 2)), btScalar(height(i)),
-                             btScalar(0.1 * (j - cells / 2)));
+            return btVector3(btScalar(0.1 * (i - middle)), btScalar(height(i)), btScalar(0.1 * (j - middle)));
         };
         for (int j = 0; j < cells; ++j)
             for (int i = 0; i < cells; ++i) {

@@ -317,8 +317,10 @@ TEST(WetCloth, MaterialCoordinatesGiveLinksTheirDirection) {
             return test::hangingSheet(info, fabrics::cottonPlain(), 0.5, 11);
         });
         SheetSettings settings;
-        for (int n = 0; exchanged && n < rig.sheet().m_nodes.size(); ++n)
-            settings.materialCoordinates.emplace_back(0.05 * (n / 11), 0.05 * (n % 11));
+        for (int n = 0; exchanged && n < rig.sheet().m_nodes.size(); ++n) {
+            const int row = n / 11, column = n % 11;
+            settings.materialCoordinates.emplace_back(0.05 * row, 0.05 * column);
+        }
         WetCloth cloth(rig.world(), rig.sheet(), unequal, settings);
         rig.sheet().m_cfg.kDP = btScalar(0.002);
         cloth.soak(0.8);

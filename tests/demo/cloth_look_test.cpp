@@ -15,7 +15,7 @@ constexpr int width = 320, height = 240;
 class ClothLook : public testing::Test {
   protected:
     viewer::Image capture(const viewer::Picture& picture) {
-        const viewer::Image image = renderer_.capture(picture, width, height);
+        viewer::Image image = renderer_.capture(picture, width, height);
         EXPECT_EQ(renderer_.glErrors(), 0);
         return image;
     }

@@ -19,7 +19,7 @@ Camera camera() {
 SheetMesh square(const Eigen::Vector3f& centre) {
     SheetMesh mesh;
     for (const float y : {-0.5f, 0.5f})
-        for (const float x : {-0.5f, 0.5f}) mesh.positions.push_back(centre + Eigen::Vector3f(x, y, 0));
+        for (const float x : {-0.5f, 0.5f}) mesh.positions.emplace_back(centre + Eigen::Vector3f(x, y, 0));
     mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
     return mesh;
 }

@@ -204,9 +204,9 @@ TEST(SceneFile, RefusesByPathWithWhatMayBeGiven) {
 TEST(SceneFile, NamesLineAndColumnOfBrokenSyntax) {
     EXPECT_NE(refusal("{\n  \"name\": \"a\",\n  \"seed\": ,\n}").find("line 3, column 11"), std::string::npos)
         << refusal("{\n  \"name\": \"a\",\n  \"seed\": ,\n}");
-    for (const std::string& broken :
-         std::vector<std::string>{"", "{", "{\"name\": \"a", "{\"a\": NaN}", "{\"a\": Infinity}", "{'a': 1}",
-                                  "{\"a\": 1} x", "{\"a\": 01}", "// comment\n{}", "\xff\xfe{\0}"})
+    for (const std::string& broken : std::vector<std::string>{
+             "", "{", "{\"name\": \"a", "{\"a\": NaN}", "{\"a\": Infinity}", "{'a': 1}", "{\"a\": 1} x",
+             "{\"a\": 01}", "// comment\n{}", std::string("\xff\xfe{\0}", 5)})
         EXPECT_NE(refusal(broken).find("line 1, column "), std::string::npos)
             << broken << ": " << refusal(broken);
     EXPECT_NE(refusal(std::string("{\"a\": \0}", 8)).find("line 1"), std::string::npos);
@@ -274,7 +274,7 @@ TEST_F(SceneFiles, RefusesWhatIsNoFile) {
               std::string::npos);
     EXPECT_NE(loadRefusal(folder_).find("it is no file"), std::string::npos);
     EXPECT_NE(loadRefusal("/dev/zero").find("it is no file"), std::string::npos);
-    std::ofstream(folder_ / "empty.json");
+    std::ofstream(folder_ / "empty.json").close();
     EXPECT_NE(loadRefusal(folder_ / "empty.json").find("line 1, column 1"), std::string::npos);
     std::ofstream(folder_ / "huge.json") << "{}";
     fs::resize_file(folder_ / "huge.json", std::uintmax_t(1) << 36);  // without taking the room

@@ -93,7 +93,7 @@ TEST(FrameFiles, SequencesAreNumbered) {
 TEST(FrameFiles, RefuseWhatIsNoFrame) {
     const TemporaryFolder folder;
     const auto refused = [&](std::vector<ClothFrame> sheets) {
-        const std::string why = refusal<std::invalid_argument>([&] { writeObj(folder / "a.obj", sheets); });
+        std::string why = refusal<std::invalid_argument>([&] { writeObj(folder / "a.obj", sheets); });
         EXPECT_EQ(refusal<std::invalid_argument>([&] { writeCsv(folder / "a.csv", 0, sheets); }), why);
         return why;
     };

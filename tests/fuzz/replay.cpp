@@ -53,7 +53,7 @@ int main(int argc, char** argv) try {
     if (inputs.empty()) throw std::runtime_error("the corpus is empty");
     for (const Input& input : inputs) run(input, last);
     std::mt19937 random(1);
-    for (int left = std::atoi(argv[2]); left > 0; --left) {
+    for (int left = std::stoi(argv[2]); left > 0; --left) {
         const Input& input = inputs[random() % inputs.size()];
         run(changed(input, random), last);
     }

@@ -52,7 +52,7 @@ struct Cloth final : Supply {
         const int row = cells + 1;
         std::vector<Eigen::Vector2d> flat;
         for (int i = 0; i < row * row; ++i) {
-            flat.push_back(side / cells * Eigen::Vector2d(i % row, i / row));
+            flat.emplace_back(side / cells * Eigen::Vector2d(i % row, i / row));
             positions.emplace_back(flat.back().x(), 0, flat.back().y());
         }
         const auto size = positions.size();

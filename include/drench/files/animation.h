@@ -28,6 +28,8 @@ class DRENCH_API Animation {
     ~Animation();
     Animation(Animation&&) noexcept;
     Animation& operator=(Animation&&) noexcept;
+    Animation(const Animation&) = delete;
+    Animation& operator=(const Animation&) = delete;
 
     /// Takes in a frame. The first says which sheets there are; each further one has the same sheets by name, in the same
     /// order, with the same triangles.
