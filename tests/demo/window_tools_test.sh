@@ -31,15 +31,20 @@ done
 # The hose wets while H and the button are held, and stops when the window loses the focus.
 open_window drape --resolution 8 --size 100 100
 other=$child elsewhere=$window
-open_window flag --dry --seconds 8 --resolution 16 --size 480 270 --quit-at-end --csv "$folder/hose.csv"
-picture
-hide_panel
-xdotool mousemove --window "$window" 130 110 keydown h mousedown 1
-sleep 2.5
-xdotool windowfocus --sync "$elsewhere"
-ended
-xdotool mouseup 1 keyup h
-at_least "$(supplied_at 8 "$folder/hose.csv")" 0.005 "the hose brings no water"
+# On a machine that is busy the window may see the keys when the scene is over; then once more.
+for attempt in 1 2 3; do
+  open_window flag --dry --seconds 8 --resolution 16 --size 480 270 --quit-at-end --csv "$folder/hose.csv"
+  picture
+  hide_panel
+  xdotool mousemove --window "$window" 130 110 keydown h mousedown 1
+  sleep 2.5
+  xdotool windowfocus --sync "$elsewhere"
+  ended
+  xdotool mouseup 1 keyup h
+  supplied=$(supplied_at 8 "$folder/hose.csv")
+  awk -v kg="$supplied" 'BEGIN { exit !(kg >= 0.005) }' && break
+done
+at_least "$supplied" 0.005 "the hose brings no water"
 awk -F, 'NR > 1 { if ($2 > most + 1e-9) { most = $2; last = $1 } } END { exit !(last < 7.5) }' "$folder/hose.csv" ||
   fail "the hose goes on without the focus"
 kill "$other"
