@@ -46,11 +46,11 @@ std::vector<double> stiffnessOf(const btSoftBody& sheet, const WetCloth& cloth) 
     std::vector<LinkNodes> links;
     for (int i = 0; i < sheet.m_links.size(); ++i) {
         const btSoftBody::Link& link = sheet.m_links[i];
-        links.push_back({{index(link.m_n[0]), index(link.m_n[1])}, link.m_bbending != 0});
+        links.push_back({{index(link.m_n[0]), index(link.m_n[1])}, link.m_bbending != 0, double(link.m_rl)});
     }
     std::vector<double> stiffness;
-    for (const LinkStiffness& link : linkStiffness(cotton(), cloth.materialCoordinates(), triangles, links))
-        stiffness.push_back(link.dry);
+    const ClothMesh mesh = flatMesh(cloth.materialCoordinates(), triangles);
+    for (const LinkStiffness& link : linkStiffness(cotton(), mesh, links)) stiffness.push_back(link.dry);
     return stiffness;
 }
 
