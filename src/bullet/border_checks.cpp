@@ -99,7 +99,8 @@ void checkContacts(const btSoftBody& body, const RestShape& shape) {
                ") and then m_sparsesdf.Reset()");
     const double margin = double(body.getCollisionShape()->getMargin());
     if (!(margin >= 0 && margin <= link))
-        refuse("the body's collision margin is ", margin, " m, which is below 0 or larger than its mean link of ", link,
+        refuse("the body's collision margin is ", margin,
+               " m, which is below 0 or larger than its mean link of ", link,
                " m; call body.getCollisionShape()->setMargin(", link / 4, ")");
 }
 

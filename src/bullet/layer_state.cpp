@@ -81,7 +81,7 @@ void WetCloth::Layer::restore(const Snapshot& snapshot) {
     checkSections(snapshot);
     restoreSections(snapshot);
     pose.gather(body, mesh);  // where nodes go back to, should they get lost
-    world.updateAabbs();  // in which rays look for solids, before the next step brings them up to date
+    world.updateAabbs();      // in which rays look for solids, before the next step brings them up to date
 }
 
 void WetCloth::Layer::checkBetweenSteps() const {
@@ -95,7 +95,8 @@ void WetCloth::Layer::checkBetweenSteps() const {
             "first");
     if (!fits())
         throw std::logic_error(
-            "drench: the body has got or lost nodes, links or faces since the last step; step once, so that its "
+            "drench: the body has got or lost nodes, links or faces since the last step; step once, so that "
+            "its "
             "WetCloth can follow");
 }
 

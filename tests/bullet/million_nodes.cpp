@@ -17,7 +17,8 @@ int main() {
     };
     constexpr int side = 1000;
     drench::test::SmallStepWorld rig({4, 0.01});
-    btSoftBody& sheet = rig.add(drench::test::hangingSheet(rig.info(), drench::fabrics::cottonPlain(), 10, side));
+    btSoftBody& sheet =
+        rig.add(drench::test::hangingSheet(rig.info(), drench::fabrics::cottonPlain(), 10, side));
     sheet.m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
     say("made");
     drench::WetCloth& cloth = rig.cover(sheet, drench::fabrics::cottonPlain());

@@ -10,7 +10,8 @@ namespace drench {
 namespace {
 
 std::unique_ptr<btSoftBody> largeSheet(btSoftBodyWorldInfo& info, int nodes) {
-    return makeSheet(info, fabrics::cottonPlain(), flatCorners({0, 0, 0}, {1, 0, 0}, {0, 0, 1}), nodes, nodes);
+    return makeSheet(info, fabrics::cottonPlain(), flatCorners({0, 0, 0}, {1, 0, 0}, {0, 0, 1}), nodes,
+                     nodes);
 }
 
 /// What the leaves of a tree stand for.
