@@ -305,11 +305,11 @@ void comeAndGo(btDynamicsWorld* world, btScalar) {
             comings.cloth = std::make_unique<WetCloth>(soft, *comings.body, fabrics::silk());
             comings.cloth->soak(0.1);
             break;
-        case 3:  // the body first, which the layer notices in the same substep
+        case 3:  // Bullet has already listed it for this substep, so it may not end yet
             soft.removeSoftBody(comings.body.get());
-            comings.body.reset();
             break;
         default:
+            comings.body.reset();  // before its layer
             EXPECT_GT(comings.cloth->waterMass(), 0);
             comings.cloth.reset();
     }
