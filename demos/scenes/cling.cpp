@@ -1,4 +1,4 @@
-#include "cling.h"
+#include "scenes/cling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <ostream>
 #include <sstream>
 
-#include "../angles.h"
-#include "scene_texts.h"
+#include "scenes/scene_texts.h"
+#include "world/angles.h"
 
 namespace drench::demo {
 

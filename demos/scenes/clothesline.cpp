@@ -1,4 +1,4 @@
-#include "clothesline.h"
+#include "scenes/clothesline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <ostream>
 #include <sstream>
 
-#include "../angles.h"
-#include "../vectors.h"
-#include "scene_texts.h"
+#include "scenes/scene_texts.h"
+#include "world/angles.h"
+#include "world/vectors.h"
 
 namespace drench::demo {
 

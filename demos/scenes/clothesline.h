@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "../staged_scene.h"
+#include "stage/staged_scene.h"
 
 namespace drench::demo {
 

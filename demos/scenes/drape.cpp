@@ -1,12 +1,12 @@
-#include "drape.h"
+#include "scenes/drape.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
-#include "../vectors.h"
-#include "scene_texts.h"
+#include "scenes/scene_texts.h"
+#include "world/vectors.h"
 
 namespace drench::demo {
 

@@ -1,4 +1,4 @@
-#include "drape_meter.h"
+#include "scenes/drape_meter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <random>
 #include <sstream>
 
-#include "../angles.h"
-#include "../cloth_disc.h"
-#include "scene_texts.h"
+#include "scenes/scene_texts.h"
+#include "world/angles.h"
+#include "world/cloth_disc.h"
 
 namespace drench::demo {
 

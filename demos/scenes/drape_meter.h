@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "../silhouette.h"
-#include "../staged_scene.h"
+#include "measure/silhouette.h"
+#include "stage/staged_scene.h"
 
 namespace drench::demo {
 

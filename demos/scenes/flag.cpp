@@ -1,4 +1,4 @@
-#include "flag.h"
+#include "scenes/flag.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <ostream>
 #include <sstream>
 
-#include "../angles.h"
-#include "../flutter.h"
-#include "scene_texts.h"
+#include "measure/flutter.h"
+#include "scenes/scene_texts.h"
+#include "world/angles.h"
 
 namespace drench::demo {
 

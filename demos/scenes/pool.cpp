@@ -1,12 +1,12 @@
-#include "pool.h"
+#include "scenes/pool.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
-#include "../vectors.h"
-#include "scene_texts.h"
+#include "scenes/scene_texts.h"
+#include "world/vectors.h"
 
 namespace drench::demo {
 

@@ -1,4 +1,4 @@
-#include "rain.h"
+#include "scenes/rain.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "../angles.h"
-#include "scene_texts.h"
+#include "scenes/scene_texts.h"
+#include "world/angles.h"
 
 namespace drench::demo {
 

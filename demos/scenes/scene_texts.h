@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "../scene_description.h"
+#include "description/scene_description.h"
 
 namespace drench::demo {
 

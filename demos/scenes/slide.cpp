@@ -1,12 +1,12 @@
-#include "slide.h"
+#include "scenes/slide.h"
 
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
-#include "../angles.h"
-#include "../vectors.h"
-#include "scene_texts.h"
+#include "scenes/scene_texts.h"
+#include "world/angles.h"
+#include "world/vectors.h"
 
 namespace drench::demo {
 

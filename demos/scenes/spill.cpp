@@ -1,4 +1,4 @@
-#include "spill.h"
+#include "scenes/spill.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <limits>
 #include <sstream>
 
-#include "../angles.h"
-#include "scene_texts.h"
+#include "scenes/scene_texts.h"
+#include "world/angles.h"
 
 namespace drench::demo {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "../staged_scene.h"
+#include "stage/staged_scene.h"
 
 namespace drench::demo {
 

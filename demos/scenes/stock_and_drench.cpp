@@ -1,4 +1,4 @@
-#include "stock_and_drench.h"
+#include "scenes/stock_and_drench.h"
 
 #include <algorithm>
 #include <chrono>
@@ -7,13 +7,13 @@
 #include <ostream>
 #include <sstream>
 
-#include "../angles.h"
-#include "../pictures.h"
-#include "../seconds_since.h"
-#include "../stage.h"
-#include "../staged_scene.h"
-#include "../vectors.h"
-#include "scene_texts.h"
+#include "scenes/scene_texts.h"
+#include "stage/pictures.h"
+#include "stage/stage.h"
+#include "stage/staged_scene.h"
+#include "world/angles.h"
+#include "world/seconds_since.h"
+#include "world/vectors.h"
 
 namespace drench::demo {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "../scene.h"
+#include "stage/scene.h"
 
 namespace drench::demo {
 

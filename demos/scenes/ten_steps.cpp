@@ -1,4 +1,4 @@
-#include "ten_steps.h"
+#include "scenes/ten_steps.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,11 +9,11 @@
 #include <ostream>
 #include <sstream>
 
-#include "../angles.h"
-#include "../seconds_since.h"
-#include "../staged_scene.h"
-#include "../vectors.h"
-#include "scene_texts.h"
+#include "scenes/scene_texts.h"
+#include "stage/staged_scene.h"
+#include "world/angles.h"
+#include "world/seconds_since.h"
+#include "world/vectors.h"
 
 namespace drench::demo {
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "../scene.h"
-#include "../stage.h"
+#include "stage/scene.h"
+#include "stage/stage.h"
 
 namespace drench::demo {
 

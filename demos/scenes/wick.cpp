@@ -1,4 +1,4 @@
-#include "wick.h"
+#include "scenes/wick.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "scene_texts.h"
+#include "scenes/scene_texts.h"
 
 namespace drench::demo {
 

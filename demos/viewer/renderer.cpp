@@ -5,18 +5,18 @@
 #include <optional>
 #include <stdexcept>
 
-#include "viewer/airborne_water.h"
-#include "viewer/background_pass.h"
-#include "viewer/caption.h"
-#include "viewer/frame_uniforms.h"
-#include "viewer/gl_error_count.h"
-#include "viewer/layers_target.h"
-#include "viewer/render_target.h"
-#include "viewer/shaders_background.h"
-#include "viewer/sheet_pass.h"
-#include "viewer/solid_pass.h"
-#include "viewer/water_pass.h"
-#include "viewer/wet_patches.h"
+#include "viewer/gl/gl_error_count.h"
+#include "viewer/gl/layers_target.h"
+#include "viewer/gl/render_target.h"
+#include "viewer/passes/airborne_water.h"
+#include "viewer/passes/background_pass.h"
+#include "viewer/passes/frame_uniforms.h"
+#include "viewer/passes/sheet_pass.h"
+#include "viewer/passes/solid_pass.h"
+#include "viewer/passes/water_pass.h"
+#include "viewer/passes/wet_patches.h"
+#include "viewer/shaders/shaders.h"
+#include "viewer/text/caption.h"
 
 namespace drench::viewer {
 

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "viewer/area.h"
-#include "viewer/image.h"
-#include "viewer/picture.h"
+#include "viewer/gl/image.h"
+#include "viewer/picture/area.h"
+#include "viewer/picture/picture.h"
 
 namespace drench::viewer {
 

@@ -13,10 +13,10 @@
 #include <optional>
 #include <thread>
 
-#include "viewer/fonts.h"
-#include "viewer/glfw_window.h"
-#include "viewer/imgui_session.h"
-#include "viewer/orbit.h"
+#include "viewer/gl/glfw_window.h"
+#include "viewer/gl/imgui_session.h"
+#include "viewer/picture/orbit.h"
+#include "viewer/text/fonts.h"
 
 namespace drench::viewer {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "viewer/picking.h"
-#include "viewer/picture.h"
+#include "viewer/picture/picking.h"
+#include "viewer/picture/picture.h"
 
 namespace drench::viewer {
 

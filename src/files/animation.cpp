@@ -8,7 +8,7 @@
 #include <string>
 
 #include "files/recording.h"
-#include "files/whole_file.h"
+#include "state/whole_file.h"
 
 namespace drench {
 

@@ -4,7 +4,7 @@
 
 #include "files/fabric_fields.h"
 #include "files/json_text.h"
-#include "files/whole_file.h"
+#include "state/whole_file.h"
 
 namespace drench {
 

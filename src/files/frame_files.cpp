@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "files/whole_file.h"
+#include "state/whole_file.h"
 
 namespace drench {
 

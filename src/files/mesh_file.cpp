@@ -11,7 +11,7 @@
 #include <string>
 
 #include "files/obj_check.h"
-#include "files/whole_file.h"
+#include "state/whole_file.h"
 
 namespace drench {
 

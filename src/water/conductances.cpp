@@ -1,4 +1,4 @@
-#include "conductances.h"
+#include "water/conductances.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "checks.h"
 #include "drench/water.h"
+#include "state/checks.h"
 
 namespace drench {
 

@@ -1,4 +1,4 @@
-#include "edge_runs.h"
+#include "water/edge_runs.h"
 
 #include <algorithm>
 

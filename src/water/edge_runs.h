@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "conductances.h"
+#include "water/conductances.h"
 
 namespace drench {
 

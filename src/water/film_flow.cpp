@@ -1,4 +1,4 @@
-#include "film_flow.h"
+#include "water/film_flow.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "drench/cloth_mesh.h"
 #include "drench/moisture.h"
-#include "edge_runs.h"
+#include "water/edge_runs.h"
 
 namespace drench {
 

@@ -1,9 +1,9 @@
-#include "implicit_wicking.h"
+#include "water/implicit_wicking.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "edge_runs.h"
+#include "water/edge_runs.h"
 
 namespace drench {
 

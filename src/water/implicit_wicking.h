@@ -5,8 +5,8 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "brooks_corey.h"
-#include "conductances.h"
+#include "water/brooks_corey.h"
+#include "water/conductances.h"
 
 namespace drench {
 

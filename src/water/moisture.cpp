@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "drench/water.h"
-#include "film_flow.h"
-#include "vapour_exchange.h"
-#include "wicking.h"
+#include "water/film_flow.h"
+#include "water/vapour_exchange.h"
+#include "water/wicking.h"
 
 namespace drench {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "state_pass.h"
+#include "state/state_pass.h"
 
 namespace drench {
 

@@ -1,4 +1,4 @@
-#include "vapour_exchange.h"
+#include "water/vapour_exchange.h"
 
 #include <algorithm>
 #include <cmath>

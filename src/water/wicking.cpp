@@ -1,11 +1,11 @@
-#include "wicking.h"
+#include "water/wicking.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "drench/water.h"
-#include "implicit_wicking.h"
+#include "water/implicit_wicking.h"
 
 namespace drench {
 

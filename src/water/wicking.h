@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "brooks_corey.h"
 #include "drench/cloth_mesh.h"
 #include "drench/fabric.h"
-#include "edge_runs.h"
+#include "water/brooks_corey.h"
+#include "water/edge_runs.h"
 
 namespace drench {
 

@@ -17,12 +17,12 @@
 #include <string>
 #include <vector>
 
-#include "bullet/independent_blocks.h"
-#include "bullet/small_step_kernels.h"
-#include "bullet_world.h"
+#include "bullet/small_steps/independent_blocks.h"
+#include "bullet/small_steps/small_step_kernels.h"
+#include "cloth/link_stiffness.h"
 #include "machine.h"
 #include "static_equilibrium.h"
-#include "water/link_stiffness.h"
+#include "world/bullet_world.h"
 
 namespace drench::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "deformable_world.h"
 #include "wet_contact_rig.h"
+#include "world/deformable_world.h"
 
 namespace drench {
 namespace {

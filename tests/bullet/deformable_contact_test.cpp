@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "deformable_world.h"
 #include "wet_contact_rig.h"
+#include "world/deformable_world.h"
 
 namespace drench {
 namespace {

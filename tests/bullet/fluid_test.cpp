@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bullet/small_step_kernels.h"
+#include "bullet/small_steps/small_step_kernels.h"
 #include "drench/water.h"
 #include "worlds.h"
 

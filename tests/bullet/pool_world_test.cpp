@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "deformable_world.h"
 #include "drench/water.h"
+#include "world/deformable_world.h"
 #include "worlds.h"
 
 namespace drench {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "bullet/body_watch.h"
-#include "bullet/small_step_sheet.h"
+#include "bullet/small_steps/small_step_sheet.h"
+#include "bullet/world/body_watch.h"
 #include "hanging_grid.h"
 #include "worlds.h"
 

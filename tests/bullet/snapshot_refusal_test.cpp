@@ -7,9 +7,9 @@
 #include <fstream>
 #include <string>
 
-#include "files/checksum.h"
-#include "files/snapshot_bytes.h"
 #include "snapshot_rig.h"
+#include "state/checksum.h"
+#include "state/snapshot_bytes.h"
 
 namespace drench {
 namespace {

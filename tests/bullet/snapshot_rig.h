@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "deformable_world.h"
-#include "scene_world.h"
+#include "world/deformable_world.h"
+#include "world/scene_world.h"
 #include "worlds.h"
 
 namespace drench::test {

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "bullet/face_tree.h"
+#include "bullet/sheet/face_tree.h"
 #include "worlds.h"
 
 namespace drench {

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "scene_world.h"
+#include "world/scene_world.h"
 #include "worlds.h"
 
 namespace drench::test {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "bullet_world.h"
+#include "world/bullet_world.h"
 
 namespace drench::test {
 

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "portrait.h"
-#include "viewer/offscreen_context.h"
+#include "viewer/gl/offscreen_context.h"
+#include "viewer/passes/sheet_surface.h"
+#include "viewer/passes/sheet_uniforms.h"
 #include "viewer/renderer.h"
-#include "viewer/sheet_surface.h"
-#include "viewer/sheet_uniforms.h"
 
 namespace drench::demo {
 namespace {

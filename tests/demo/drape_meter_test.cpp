@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "angles.h"
-#include "cloth_disc.h"
+#include "world/angles.h"
+#include "world/cloth_disc.h"
 
 namespace drench::demo {
 namespace {

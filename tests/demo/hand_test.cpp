@@ -1,5 +1,5 @@
 // The mouse tools: holding cloth, the hose, the towel.
-#include "hand.h"
+#include "hand/hand.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <ostream>
 
-#include "stage.h"
-#include "vectors.h"
-#include "wetting.h"
+#include "hand/wetting.h"
+#include "stage/stage.h"
+#include "world/vectors.h"
 
 namespace drench::demo {
 namespace {

@@ -1,5 +1,5 @@
 // What lies under the mouse pointer.
-#include "viewer/picking.h"
+#include "viewer/picture/picking.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "viewer/image.h"
+#include "viewer/gl/image.h"
 
 namespace {
 

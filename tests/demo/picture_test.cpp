@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "portrait.h"
-#include "viewer/offscreen_context.h"
+#include "viewer/gl/offscreen_context.h"
 #include "viewer/renderer.h"
 
 namespace drench::demo {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <memory>
 
-#include "bullet_world.h"
-#include "pictures.h"
-#include "viewer/image.h"
+#include "stage/pictures.h"
+#include "viewer/gl/image.h"
+#include "world/bullet_world.h"
 
 namespace drench::demo {
 

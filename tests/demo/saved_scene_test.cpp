@@ -6,9 +6,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "scene.h"
-#include "scene_file.h"
-#include "stage.h"
+#include "description/scene_file.h"
+#include "scenes/registry.h"
+#include "stage/scene.h"
+#include "stage/stage.h"
 
 namespace drench::demo {
 namespace {

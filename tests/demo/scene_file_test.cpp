@@ -1,5 +1,5 @@
 // Scene files: what they may say, and what they refuse.
-#include "scene_file.h"
+#include "description/scene_file.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "described_scene.h"
 #include "files/json_text.h"
+#include "scenes/described_scene.h"
 #include "scenes/scene_texts.h"
-#include "stage.h"
+#include "stage/stage.h"
 
 namespace drench::demo {
 namespace {

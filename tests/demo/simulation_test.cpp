@@ -1,5 +1,5 @@
 // A scene on a thread of its own.
-#include "simulation.h"
+#include "run/simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,10 @@
 #include <stdexcept>
 #include <thread>
 
-#include "described_scene.h"
-#include "scene_file.h"
-#include "stage.h"
+#include "description/scene_file.h"
+#include "scenes/described_scene.h"
+#include "scenes/registry.h"
+#include "stage/stage.h"
 
 namespace drench::demo {
 namespace {

@@ -1,12 +1,12 @@
 // Stages: weather, sources and solids do what their description says.
-#include "stage.h"
+#include "stage/stage.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "scene.h"
-#include "scene_file.h"
+#include "description/scene_file.h"
+#include "stage/scene.h"
 
 namespace drench::demo {
 namespace {

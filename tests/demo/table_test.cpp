@@ -1,4 +1,4 @@
-#include "table.h"
+#include "measure/table.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "files/whole_file.h"
+#include "state/whole_file.h"
 
 namespace drench::demo {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "runners.h"
+#include "run/runners.h"
 
 namespace drench::demo {
 namespace {

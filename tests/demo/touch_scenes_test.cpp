@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "angles.h"
-#include "scene.h"
-#include "water_log.h"
+#include "run/water_log.h"
+#include "scenes/registry.h"
+#include "stage/scene.h"
+#include "world/angles.h"
 
 namespace drench::demo {
 namespace {

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "portrait.h"
-#include "viewer/area.h"
-#include "viewer/colour_map.h"
-#include "viewer/legend_bar.h"
-#include "viewer/offscreen_context.h"
+#include "viewer/gl/offscreen_context.h"
+#include "viewer/picture/area.h"
+#include "viewer/picture/colour_map.h"
 #include "viewer/renderer.h"
+#include "viewer/text/legend_bar.h"
 
 namespace drench::demo {
 namespace {

@@ -1,5 +1,5 @@
 // Whether rain, drops and sprays fall, land, wet and dry as they should, in real Bullet worlds.
-#include "water_effects.h"
+#include "effects/water_effects.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "angles.h"
-#include "scene_cloth.h"
-#include "scene_world.h"
+#include "stage/scene_cloth.h"
+#include "world/angles.h"
+#include "world/scene_world.h"
 
 namespace drench::demo {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <functional>
 
-#include "viewer/image.h"
-#include "viewer/offscreen_context.h"
+#include "viewer/gl/image.h"
+#include "viewer/gl/offscreen_context.h"
 #include "viewer/renderer.h"
 
 namespace drench::viewer {

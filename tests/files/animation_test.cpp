@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <limits>
 
-#include "files/glb_reader.h"
-#include "files/temporary_folder.h"
-#include "files/wet_run.h"
+#include "glb_reader.h"
+#include "temporary_folder.h"
+#include "wet_run.h"
 
 namespace drench {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "files/temporary_folder.h"
+#include "temporary_folder.h"
 
 namespace drench {
 namespace {

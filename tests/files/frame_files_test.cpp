@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "files/temporary_folder.h"
-#include "files/wet_run.h"
+#include "temporary_folder.h"
+#include "wet_run.h"
 
 namespace drench {
 namespace {

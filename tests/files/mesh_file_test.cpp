@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "bullet/worlds.h"
-#include "files/temporary_folder.h"
+#include "temporary_folder.h"
 
 namespace drench {
 namespace {

@@ -2,11 +2,12 @@
 #include <drench/files/fabric_file.h>
 #include <gtest/gtest.h>
 
-#include "exporter.h"
-#include "files/glb_reader.h"
-#include "files/temporary_folder.h"
-#include "scene_file.h"
-#include "stage.h"
+#include "description/scene_file.h"
+#include "glb_reader.h"
+#include "run/exporter.h"
+#include "scenes/registry.h"
+#include "stage/stage.h"
+#include "temporary_folder.h"
 
 namespace drench::demo {
 namespace {

@@ -2,8 +2,8 @@
 #include <string_view>
 
 #include "choices.h"
-#include "scene_file.h"
-#include "stage.h"
+#include "description/scene_file.h"
+#include "stage/stage.h"
 
 namespace drench::fuzz {
 namespace {

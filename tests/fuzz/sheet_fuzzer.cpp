@@ -6,7 +6,7 @@
 
 #include "choices.h"
 #include "random_cloth.h"
-#include "scene_world.h"
+#include "world/scene_world.h"
 
 namespace drench::fuzz {
 namespace {

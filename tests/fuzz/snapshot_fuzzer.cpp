@@ -5,7 +5,7 @@
 
 #include "bullet/snapshot_rig.h"
 #include "choices.h"
-#include "files/snapshot_bytes.h"
+#include "state/snapshot_bytes.h"
 
 namespace drench::fuzz {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "bullet/worlds.h"
+#include "cloth/link_stiffness.h"
 #include "static_equilibrium.h"
-#include "water/link_stiffness.h"
 
 namespace drench::test {
 namespace {

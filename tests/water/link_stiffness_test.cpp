@@ -1,4 +1,4 @@
-#include "water/link_stiffness.h"
+#include "cloth/link_stiffness.h"
 
 #include <gtest/gtest.h>
 

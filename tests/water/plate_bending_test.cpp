@@ -1,4 +1,4 @@
-#include "water/plate_bending.h"
+#include "cloth/plate_bending.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,278 @@
+#include "description/scene_exchange.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "description/scene_exchange_common.h"
+#include "description/scene_exchange_sheet.h"
+
+namespace drench::demo {
+
+namespace {
+
+constexpr Range clock{0, 86400};  // s
+
+const Names<WorldKind> worldNames = {{"soft-rigid", WorldKind::softRigid},
+                                     {"deformable", WorldKind::deformable}};
+const Names<SolverKind> solverNames = {{"small-step", SolverKind::smallStep}, {"stock", SolverKind::stock}};
+const Names<SolidDescription::Shape> shapeNames = {{"ball", SolidDescription::Shape::ball},
+                                                   {"box", SolidDescription::Shape::box},
+                                                   {"capsule", SolidDescription::Shape::capsule},
+                                                   {"ground", SolidDescription::Shape::ground}};
+const Names<SurfaceKind> surfaceNames = {
+    {"plate", SurfaceKind::plate}, {"skin", SurfaceKind::skin}, {"rough", SurfaceKind::rough}};
+const Names<viewer::Material> materialNames = {{"paint", viewer::Material::paint},
+                                               {"wood", viewer::Material::wood},
+                                               {"metal", viewer::Material::metal},
+                                               {"stone", viewer::Material::stone},
+                                               {"rope", viewer::Material::rope}};
+const Names<std::size_t> waterNames = {
+    {"spray", 0}, {"pool", 1}, {"soak", 2}, {"brush", 3}};  // as in the variant
+
+template <typename Fields>
+void exchangeWeather(Fields& fields, Weather& weather) {
+    fields.number("temperature", weather.temperature, {0, 60});
+    fields.number("humidity", weather.humidity, {0, 0.999});
+    fields.number("windSpeed", weather.windSpeed, {0, 100});
+    fields.vector("windDirection", weather.windDirection, directions, leastDirection);
+    fields.number("gusts", weather.gusts, shares);
+    fields.number("gustLength", weather.gustLength, {0.01, 1000});
+    fields.number("shelterLength", weather.shelterLength, {0, 1000});
+    fields.number("rain", weather.rain, {0, 1000});
+    fields.number("vapourExchange", weather.vapourExchange, shares);
+}
+
+template <typename Fields>
+void exchangeSolver(Fields& fields, SolverDescription& solver) {
+    fields.choice("world", solver.world, worldNames);
+    fields.choice("solver", solver.solver, solverNames);
+    fields.whole("smallSteps", solver.smallSteps, 0, 1000);
+    fields.whole("mostSubsteps", solver.mostSubsteps, 0, 1000);
+    fields.whole("iterations", solver.iterations, 1, 1000);
+}
+
+template <typename Fields>
+void exchangeCamera(Fields& fields, viewer::Camera& camera) {
+    floatVector(fields, "target", camera.target, places);
+    double distance = widened(camera.distance);
+    fields.number("distance", distance, {0.05, 1000});
+    if constexpr (Fields::reads) camera.distance = float(distance);
+    angle(fields, "yaw", camera.yaw, {-3600, 3600});
+    angle(fields, "pitch", camera.pitch, {-89, 89});
+    angle(fields, "fieldOfView", camera.verticalFieldOfView, {5, 120});
+}
+
+/// A capsule is given by its ends.
+template <typename Fields>
+void exchangeEnds(Fields& fields, SolidDescription& solid) {
+    constexpr double shortest = 1e-4;  // m
+    const Eigen::Vector3d half = solid.turn * Eigen::Vector3d(0, solid.length / 2, 0);
+    Eigen::Vector3d from = solid.position - half, to = solid.position + half;
+    fields.vector("from", from, places);
+    fields.vector("to", to, places);
+    if constexpr (Fields::reads) {
+        solid.length = (to - from).norm();
+        if (!(solid.length >= shortest)) fields.refuse("to", "is where from is; give two places");
+        solid.position = (from + to) / 2;
+        solid.turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitY(), to - from);
+    }
+}
+
+void exchangeTurn(FieldReader& fields, Eigen::Quaterniond& turn) {
+    fields.object("turn", [&](FieldReader& inner) {
+        Eigen::Vector3d axis(0, 1, 0);
+        double around = 0;
+        inner.vector("axis", axis, directions, leastDirection);
+        angle(inner, "degrees", around, {-3600, 3600});
+        turn = Eigen::AngleAxisd(around, axis.normalized());
+    });
+}
+
+void exchangeTurn(FieldWriter& fields, const Eigen::Quaterniond& turn) {
+    constexpr double digits = 1e12;  // of which the last ones do not change when it is read and written again
+    const Eigen::AngleAxisd now(turn);
+    const double inDegrees = std::round(digits * degrees(now.angle())) / digits;
+    if (inDegrees == 0) return;
+    const Eigen::Vector3d axis = (digits * now.axis()).array().round() / digits;
+    fields.put("turn", {{"axis", {axis.x(), axis.y(), axis.z()}}, {"degrees", inDegrees}});
+}
+
+template <typename Fields>
+void exchangeShape(Fields& fields, SolidDescription& solid) {
+    using Shape = SolidDescription::Shape;
+    constexpr Range sizes{1e-4, 1e3};  // m
+    if (solid.shape == Shape::capsule)
+        exchangeEnds(fields, solid);
+    else
+        fields.vector("position", solid.position, places);
+    if (solid.shape == Shape::ball || solid.shape == Shape::capsule)
+        fields.number("radius", solid.radius, sizes);
+    if (solid.shape == Shape::box) fields.vector("halfExtents", solid.halfExtents, sizes);
+    if (solid.shape == Shape::ball || solid.shape == Shape::box) exchangeTurn(fields, solid.turn);
+}
+
+/// Of lighter bodies single precision cannot hold the inverse inertia.
+void checkMass(const FieldReader& fields, double mass) {
+    constexpr double lightest = 1e-6;  // kg
+    if (mass > 0 && mass < lightest)
+        fields.refuse("mass",
+                      "is " + shown(mass) + "; give 0, for a body that stays where it is, or 1e-6 to 1e6");
+}
+
+template <typename Fields>
+void exchangeSolid(Fields& fields, SolidDescription& solid) {
+    fields.name("name", solid.name);
+    fields.choice("shape", solid.shape, shapeNames);
+    fields.truth("touches", solid.touches);
+    fields.truth("seen", solid.seen);
+    exchangeShape(fields, solid);
+    if (solid.shape != SolidDescription::Shape::ground) {
+        fields.number("mass", solid.mass, {0, 1e6});
+        if constexpr (Fields::reads) checkMass(fields, solid.mass);
+        fields.vector("velocity", solid.velocity, speeds);
+        fields.vector("spin", solid.spin, speeds);
+    }
+    fields.number("friction", solid.friction, {0, 10});
+    optionalChoice(fields, "surface", solid.surface, surfaceNames);
+    optionalChoice(fields, "material", solid.material, materialNames);
+    if constexpr (Fields::reads) {
+        if (fields.any("colour")) fields.vector("colour", solid.colour.emplace(), shares);
+    } else if (solid.colour) {
+        fields.vector("colour", *solid.colour, shares);
+    }
+}
+
+template <typename Fields>
+void exchangeWater(Fields& fields, SprayDescription& spray) {
+    fields.vector("origin", spray.origin, places);
+    fields.vector("direction", spray.direction, directions, leastDirection);
+    angle(fields, "halfAngle", spray.halfAngle, {0.6, 85});
+    fields.number("rate", spray.rate, {0, 1000});
+    fields.number("speed", spray.speed, {0, 100});
+    fields.truth("seen", spray.seen);
+}
+
+template <typename Fields>
+void exchangeWater(Fields& fields, PoolDescription& pool) {
+    constexpr Range everywhere{-1e9, 1e9};
+    fields.number("level", pool.level, places);
+    fields.vector("leastCorner", pool.from, everywhere);
+    fields.vector("greatestCorner", pool.to, everywhere);
+    fields.number("bottom", pool.bottom, places);
+    if constexpr (Fields::reads) {
+        if (!((pool.to - pool.from).minCoeff() > 0))
+            fields.refuse("greatestCorner", "is not beyond leastCorner; give larger x and z");
+        if (!(pool.bottom < pool.level))
+            fields.refuse("bottom", "is " + shown(pool.bottom) + ", not below the level of the pool, " +
+                                        shown(pool.level) + "; give a lower bottom or a higher level");
+    }
+}
+
+template <typename Fields>
+void exchangeWater(Fields& fields, SoakDescription& soak) {
+    fields.vector("centre", soak.centre, places);
+    fields.number("radius", soak.radius, {1e-4, 1e9});
+    fields.number("massPerArea", soak.massPerArea, {0, 1000});
+    fields.number("duration", soak.duration, {0, 1e7});
+}
+
+template <typename Fields>
+void exchangeWater(Fields& fields, BrushDescription& brush) {
+    fields.vector("centre", brush.centre, places);
+    fields.number("radius", brush.radius, {1e-4, 100});
+    fields.number("rate", brush.rate, {0, 1000});
+}
+
+void exchangeSheetNames(FieldReader& fields, std::vector<std::string>& names) {
+    const nlohmann::json* found = fields.any("sheets");
+    if (!found) return;
+    if (!found->is_array()) fields.refuse("sheets", "is " + shown(*found) + "; give a list of sheets' names");
+    for (const nlohmann::json& name : *found) {
+        if (!name.is_string()) fields.refuse("sheets", "has " + shown(name) + " in it; give sheets' names");
+        names.push_back(name.get<std::string>());
+    }
+}
+void exchangeSheetNames(FieldWriter& fields, const std::vector<std::string>& names) {
+    if (!names.empty()) fields.put("sheets", names);
+}
+
+template <typename Fields>
+void exchangeSource(Fields& fields, SourceDescription& source) {
+    fields.name("name", source.name);
+    exchangeSheetNames(fields, source.sheets);
+    fields.number("from", source.from, clock);
+    fields.number("until", source.until, clock);
+    std::size_t kind = source.water.index();
+    fields.choice("kind", kind, waterNames);
+    if constexpr (Fields::reads) {
+        if (kind == 1) source.water = PoolDescription();
+        if (kind == 2) source.water = SoakDescription();
+        if (kind == 3) source.water = BrushDescription();
+    }
+    std::visit([&](auto& water) { exchangeWater(fields, water); }, source.water);
+}
+
+/// Refuses a name that an entry before has.
+template <typename Entries>
+void checkNames(const FieldReader& fields, const std::string& list, const Entries& entries) {
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (!entries[i].name.empty() && !names.insert(entries[i].name).second)
+            fields.refuse(list + '[' + std::to_string(i) + "].name",
+                          "is \"" + entries[i].name + "\", which another has already");
+}
+
+/// What depends on several of a scene's parts.
+void checkWhole(const FieldReader& fields, const SceneDescription& scene) {
+    double nodes = 0;
+    for (const SheetDescription& sheet : scene.sheets) nodes += double(sheet.nodes[0]) * sheet.nodes[1];
+    if (nodes > mostNodes)
+        fields.refuse("sheets", "have " + shown(nodes) + " nodes in all; give at most 250000");
+    checkNames(fields, "sheets", scene.sheets);
+    checkNames(fields, "solids", scene.solids);
+    checkNames(fields, "sources", scene.sources);
+    for (std::size_t i = 0; i < scene.sources.size(); ++i)
+        for (const std::string& name : scene.sources[i].sheets)
+            if (std::none_of(scene.sheets.begin(), scene.sheets.end(),
+                             [&](const SheetDescription& sheet) { return sheet.name == name; }))
+                fields.refuse("sources[" + std::to_string(i) + "].sheets",
+                              "names " + shown(name) + ", which is no sheet of this scene");
+}
+void checkWhole(const FieldWriter&, const SceneDescription&) {}
+
+template <typename Fields>
+void exchangeScene(Fields& fields, SceneDescription& scene) {
+    fields.name("name", scene.name);
+    fields.text("text", scene.text);
+    fields.number("duration", scene.duration, {0.02, 1e6});
+    fields.number("time", scene.time, {0, 1e9});
+    int seed = static_cast<int>(scene.seed & 0x7fffffffu);
+    fields.whole("seed", seed, 0, 0x7fffffff);
+    if constexpr (Fields::reads) scene.seed = static_cast<unsigned>(seed);
+    fields.truth("water", scene.water);
+    fields.truth("dropsFall", scene.dropsFall);
+    fields.object("solver", [&](Fields& inner) { exchangeSolver(inner, scene.solver); });
+    fields.object("weather", [&](Fields& inner) { exchangeWeather(inner, scene.weather); });
+    fields.object("camera", [&](Fields& inner) { exchangeCamera(inner, scene.camera); });
+    fields.vector("sun", scene.sun, directions, leastDirection);
+    fields.list("sheets", scene.sheets,
+                [](Fields& inner, SheetDescription& sheet) { exchangeSheet(inner, sheet); });
+    fields.list("solids", scene.solids,
+                [](Fields& inner, SolidDescription& solid) { exchangeSolid(inner, solid); });
+    fields.list("sources", scene.sources,
+                [](Fields& inner, SourceDescription& source) { exchangeSource(inner, source); });
+    checkWhole(fields, scene);
+}
+
+}  // namespace
+
+void exchange(FieldReader& fields, SceneDescription& scene) {
+    exchangeScene(fields, scene);
+}
+
+void exchange(FieldWriter& fields, SceneDescription& scene) {
+    exchangeScene(fields, scene);
+}
+
+}  // namespace drench::demo

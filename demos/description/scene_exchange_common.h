@@ -1,0 +1,59 @@
+// What several parts of a scene file have in common.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "files/json_fields.h"
+#include "world/angles.h"
+
+namespace drench::demo {
+
+using files::FieldReader;
+using files::FieldWriter;
+using files::Names;
+using files::Range;
+using files::shown;
+
+inline constexpr Range places{-1e4, 1e4};      // m
+inline constexpr Range directions{-1e6, 1e6};  // of vectors whose length does not count
+inline constexpr Range shares{0, 1};
+inline constexpr Range speeds{-1e3, 1e3};  // m/s
+inline constexpr double leastDirection = 1e-6;
+inline constexpr double mostNodes = 2.5e5;  // of all sheets together
+
+/// Without the digits that a single-precision number only seems to have.
+inline double widened(float value) {
+    constexpr double digits = 1e6;
+    return std::round(double(value) * digits) / digits;
+}
+
+/// An angle that a file has in degrees.
+template <typename Fields, typename Number>
+void angle(Fields& fields, const std::string& key, Number& value, const Range& range) {
+    double inDegrees = degrees(double(value));
+    if (std::is_same_v<Number, float>) inDegrees = widened(float(inDegrees));
+    fields.number(key, inDegrees, range);
+    if constexpr (Fields::reads) value = Number(radians(inDegrees));
+}
+
+template <typename Fields>
+void floatVector(Fields& fields, const std::string& key, Eigen::Vector3f& value, const Range& range) {
+    Eigen::Vector3d wide(widened(value.x()), widened(value.y()), widened(value.z()));
+    fields.vector(key, wide, range);
+    if constexpr (Fields::reads) value = wide.cast<float>();
+}
+
+template <typename Fields, typename Value>
+void optionalChoice(Fields& fields, const std::string& key, std::optional<Value>& value,
+                    const Names<Value>& names) {
+    if constexpr (Fields::reads) {
+        if (fields.any(key)) fields.choice(key, value.emplace(), names);
+    } else if (value) {
+        fields.choice(key, *value, names);
+    }
+}
+
+}  // namespace drench::demo

@@ -1,0 +1,32 @@
+#include "effects/open_ground.h"
+
+#include <algorithm>
+
+#include "effects/wet_places.h"
+
+namespace drench::demo {
+
+void OpenGround::rain(double massPerArea, const Eigen::AlignedBox3d& followed) {
+    followed_ = followed;
+    // Each drop covers less than its water does in one layer, some of it where others have been.
+    covered_ += (1 - covered_) * std::min(withinOutline * massPerArea / WetPlaces::layer, 1.0);
+    massPerArea_ = std::min(massPerArea_ + massPerArea, WetPlaces::mostLayers * WetPlaces::layer * covered_);
+}
+
+void OpenGround::dry(double massPerArea) {
+    massPerArea_ -= massPerArea * covered_;
+    if (!(massPerArea_ > 0)) covered_ = massPerArea_ = 0;
+}
+
+void OpenGround::show(viewer::Picture& picture) const {
+    if (!(covered_ > 0)) return;
+    const auto corner = [](const Eigen::Vector3d& place) {
+        return Eigen::Vector2f(float(place.x()), float(place.z()));
+    };
+    picture.openGround.covered = float(covered_);
+    picture.openGround.wetness = float(WetPlaces::wetnessOf(massPerArea_ / covered_));
+    picture.openGround.from = corner(followed_.min());
+    picture.openGround.to = corner(followed_.max());
+}
+
+}  // namespace drench::demo

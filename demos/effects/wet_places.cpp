@@ -1,0 +1,111 @@
+#include "effects/wet_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "world/angles.h"
+#include "world/vectors.h"
+
+namespace drench::demo {
+
+namespace {
+
+constexpr double runsTogether = 0.4;  // share of a place's radius within which new water joins it
+constexpr double darkUntil = 0.35;    // of the layer; below it the place fades
+
+double radiusOf(double area) {
+    return std::sqrt(area / pi);
+}
+
+double areaFor(double mass) {
+    return std::min(mass / WetPlaces::layer, pi * WetPlaces::largestRadius * WetPlaces::largestRadius);
+}
+
+}  // namespace
+
+double WetPlaces::wetnessOf(double massPerArea) {
+    return std::min(1.0, massPerArea / (darkUntil * layer));
+}
+
+WetPlaces::WetPlaces(std::size_t most) : most_(most) {
+    if (most < 1) throw std::invalid_argument("drench: there must be room for at least 1 wet place, not 0");
+}
+
+/// The place on a body whose middle is nearest, if that is within so many of its radii or within `reach`, m.
+WetPlaces::Place* WetPlaces::nearest(const btCollisionObject& body, const Eigen::Vector3d& inBody,
+                                     double perRadius, double reach) {
+    Place* found = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (Place& place : places_) {
+        if (place.body != &body) continue;
+        const double away2 = (place.inBody - inBody).squaredNorm();
+        const double near2 = std::max(perRadius * perRadius * place.area / pi, reach * reach);
+        if (away2 >= std::min(least, near2)) continue;
+        least = away2;
+        found = &place;
+    }
+    return found;
+}
+
+void WetPlaces::wet(const btCollisionObject& body, const Eigen::Vector3d& place, double mass, float outline) {
+    if (!(mass > 0)) return;
+    const Eigen::Vector3d inBody = plainVector(body.getWorldTransform().invXform(bulletVector(place)));
+    // The less room there is for other places, the farther water goes to join one.
+    const double room = 1 - double(places_.size()) / double(most_);
+    const double reach = largestRadius * std::pow(std::clamp(1 - 2 * room, 0.0, 1.0), 2);
+    if (Place* const old = nearest(body, inBody, runsTogether, reach)) {
+        old->inBody += (inBody - old->inBody) * mass / (old->mass + mass);
+        old->mass += mass;
+        old->area = std::max(old->area, areaFor(old->mass));
+        old->mass = std::min(old->mass, mostLayers * layer * old->area);
+        return;
+    }
+    if (places_.size() >= most_) {
+        const auto driest = std::min_element(
+            places_.begin(), places_.end(),
+            [](const Place& a, const Place& b) { return a.mass * b.area < b.mass * a.area; });
+        places_.erase(driest);
+    }
+    const double area = areaFor(mass);
+    places_.push_back({&body, inBody, std::min(mass, mostLayers * layer * area), area, outline});
+}
+
+void WetPlaces::dry(double massPerArea) {
+    for (Place& place : places_) place.mass -= massPerArea * place.area;
+    places_.erase(
+        std::remove_if(places_.begin(), places_.end(), [](const Place& place) { return !(place.mass > 0); }),
+        places_.end());
+}
+
+void WetPlaces::keepOnlyIn(const btCollisionWorld& world) {
+    const btCollisionObjectArray& objects = world.getCollisionObjectArray();
+    std::set<const btCollisionObject*> there;
+    for (int i = 0; i < objects.size(); ++i) there.insert(objects[i]);
+    places_.erase(std::remove_if(places_.begin(), places_.end(),
+                                 [&](const Place& place) { return there.count(place.body) == 0; }),
+                  places_.end());
+}
+
+double WetPlaces::mass() const {
+    double sum = 0;
+    for (const Place& place : places_) sum += place.mass;
+    return sum;
+}
+
+void WetPlaces::show(viewer::Picture& picture) const {
+    for (const Place& place : places_) {
+        const btTransform& frame = place.body->getWorldTransform();
+        viewer::WetPatch patch;
+        patch.centre = pictureVector(frame * bulletVector(place.inBody));
+        patch.radius = float(radiusOf(place.area));
+        patch.wetness = float(wetnessOf(place.mass / place.area));
+        patch.orientation = plainTurn(frame.getRotation()).cast<float>();
+        patch.outline = place.outline;
+        picture.patches.push_back(patch);
+    }
+}
+
+}  // namespace drench::demo

@@ -1,0 +1,44 @@
+#include "hand/graspable.h"
+
+#include "effects/solid_ray.h"
+#include "stage/stage.h"
+#include "world/vectors.h"
+
+namespace drench::demo {
+
+std::vector<Graspable> graspables(Scene& scene) {
+    std::vector<Graspable> sheets;
+    for (Stage* const stage : scene.stages())
+        for (SceneCloth* const sheet : stage->sheets())
+            sheets.push_back({&stage->world(), &sheet->body(), &sheet->wet()});
+    return sheets;
+}
+
+std::optional<SolidHit> firstSolid(SceneWorld& world, const btVector3& from, const btVector3& to) {
+    SolidRay ray(from, to);
+    world.world().rayTest(from, to, ray);
+    if (!ray.hasHit()) return std::nullopt;
+    return SolidHit{double(ray.m_closestHitFraction), ray.m_hitNormalWorld};
+}
+
+std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const viewer::Ray& ray) {
+    std::optional<ClothHit> first;
+    for (const Graspable& sheet : sheets)
+        for (int f = 0; f < sheet.body->m_faces.size(); ++f) {
+            const btSoftBody::Face& face = sheet.body->m_faces[f];
+            const auto distance =
+                distanceTo(ray, pictureVector(face.m_n[0]->m_x), pictureVector(face.m_n[1]->m_x),
+                           pictureVector(face.m_n[2]->m_x));
+            if (!distance || (first && double(*distance) >= first->distance)) continue;
+            first =
+                ClothHit{sheet, f, bulletVector(ray.origin + *distance * ray.direction), double(*distance)};
+        }
+    if (!first) return std::nullopt;
+    constexpr double onSolid = 0.02;  // m, as cloth lies on what is behind it
+    const btVector3 from = bulletVector(ray.origin), way = bulletVector(ray.direction);
+    const double most = first->distance - onSolid;
+    if (most > 0 && firstSolid(*first->sheet.world, from, from + way * btScalar(most))) return std::nullopt;
+    return first;
+}
+
+}  // namespace drench::demo

@@ -1,0 +1,43 @@
+// Sheets as the mouse tools meet them.
+#pragma once
+
+#include <drench/drench.h>
+
+#include <optional>
+#include <vector>
+
+#include "stage/scene.h"
+#include "viewer/picture/picking.h"
+#include "world/scene_world.h"
+
+namespace drench::demo {
+
+/// A sheet that is there during this frame.
+struct Graspable {
+    SceneWorld* world;
+    btSoftBody* body;
+    WetCloth* cloth;
+};
+
+/// All sheets of a scene.
+std::vector<Graspable> graspables(Scene& scene);
+
+/// Where a ray meets cloth.
+struct ClothHit {
+    Graspable sheet;
+    int face;         ///< of the body
+    btVector3 point;  ///< m
+    double distance;  ///< from the ray's origin, m
+};
+
+/// The first sheet that a ray meets, unless something solid is before it.
+std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const viewer::Ray& ray);
+
+/// The first solid between two points, m.
+struct SolidHit {
+    double share;      ///< of the way, 0 to 1
+    btVector3 normal;  ///< of its surface, unit length
+};
+std::optional<SolidHit> firstSolid(SceneWorld& world, const btVector3& from, const btVector3& to);
+
+}  // namespace drench::demo

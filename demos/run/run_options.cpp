@@ -1,0 +1,228 @@
+#include "run/run_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+
+#include "description/scene_file.h"
+#include "run/exporter.h"
+#include "scenes/registry.h"
+
+namespace drench::demo {
+
+namespace {
+
+void listScenes() {
+    for (const SceneEntry& entry : scenes()) std::cout << entry.name << "\n    " << entry.description << "\n";
+}
+
+std::vector<std::string> sceneNames() {
+    std::vector<std::string> names;
+    for (const SceneEntry& entry : scenes()) names.push_back(entry.name);
+    return names;
+}
+
+/// CLI11's own range check lets "nan" through.
+CLI::Validator inRange(double least, double most) {
+    std::ostringstream range;
+    range << least << " to " << most;
+    return CLI::Validator(
+        [=, range = range.str()](const std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return "";
+            return "give a number from " + range + ", not '" + text + "'";
+        },
+        "FLOAT, " + range.str());
+}
+
+/// An empty name is most likely a variable that is not set.
+CLI::Validator namesSomething() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            return std::string(text.empty() ? "give a name; this one is empty" : "");
+        },
+        "NAME");
+}
+
+/// A file whose ending says what it is to be.
+CLI::Validator endsLike(const std::vector<std::string>& endings) {
+    std::string all;
+    for (const std::string& ending : endings) all += (all.empty() ? "" : " or ") + ending;
+    return CLI::Validator(
+        [=](const std::string& text) {
+            const std::string ending = std::filesystem::path(text).extension().string();
+            const bool isKnown = std::find(endings.begin(), endings.end(), ending) != endings.end();
+            return isKnown ? std::string() : "give a name that ends in " + all + ", not '" + text + "'";
+        },
+        all);
+}
+
+/// "cotton, polyester, ", and so on.
+std::string fabricNames() {
+    std::string names;
+    for (const std::string& name : fabrics::names()) names += name + ", ";
+    return names;
+}
+
+/// A ready fabric, or a fabric file that can be read.
+CLI::Validator namesFabric() {
+    return CLI::Validator(
+        [](const std::string& text) -> std::string {
+            try {
+                fabricDescription(text);
+                return "";
+            } catch (const std::exception& problem) {
+                return problem.what();
+            }
+        },
+        "NAME or FILE.json");
+}
+
+View viewOf(const std::string& name) {
+    if (name == "content") return View::content;
+    if (name == "film") return View::film;
+    return name == "strain" ? View::strain : View::beauty;
+}
+
+/// What the names of --solver and --world mean together; where there are none, the options stay as they are.
+void choose(SceneOptions& options, const std::string& solver, const std::string& world) {
+    if (!world.empty()) options.world = world == "deformable" ? WorldKind::deformable : WorldKind::softRigid;
+    if (!solver.empty()) options.solver = solver == "stock" ? SolverKind::stock : SolverKind::smallStep;
+    if (options.world == WorldKind::deformable && solver == "small-step")
+        throw CLI::ValidationError("--solver",
+                                   "the deformable world has Bullet's own solver; leave --solver small-step "
+                                   "out, or take --world soft-rigid");
+}
+
+/// The options that a scene has a choice of its own for.
+struct OwnChoices {
+    const CLI::Option* fabric;
+    const CLI::Option* seed;
+};
+
+/// Fills in what the scene has of its own, where nothing else was asked for.
+void takeFromScene(RunOptions& run, const std::string& file, const OwnChoices& own) {
+    SceneOptions& options = run.sceneOptions;
+    if (file.empty()) {
+        if (!run.scene.empty() && own.fabric->empty()) options.fabric = sceneByName(run.scene).fabric;
+        return;
+    }
+    run.described = loadScene(file);
+    run.scene = run.described->name;
+    options.world = run.described->solver.world;
+    options.solver = run.described->solver.solver;
+    if (own.fabric->empty()) options.fabric.clear();
+    if (own.seed->empty()) options.seed = run.described->seed;
+}
+
+/// What the command line says in words of its own, from which options follow.
+struct Words {
+    std::string file, solver, world;
+    std::string view = "beauty";
+    bool list = false, dry = false;
+};
+
+/// Which scene, and what it is like.
+OwnChoices addSceneOptions(CLI::App& app, RunOptions& run, Words& words) {
+    CLI::Option* const scene = app.add_option("SCENE", run.scene, "which scene to run; --list names them")
+                                   ->check(CLI::IsMember(sceneNames()));
+    app.add_option("--scene-file", words.file, "run the scene of this JSON file; see docs/scene-files.md")
+        ->check(namesSomething())
+        ->excludes(scene);
+    app.add_flag("--list", words.list, "list the scenes and stop");
+    app.add_option("--seconds", run.sceneOptions.seconds,
+                   "simulated seconds after which to end [the scene's own]")
+        ->check(inRange(0.02, 86400));
+    app.add_option("--resolution", run.sceneOptions.resolution, "nodes along the warp [the scene's own]")
+        ->check(CLI::Range(8, 512));
+    const CLI::Option* const fabric =
+        app.add_option("--fabric", run.sceneOptions.fabric,
+                       "the cloth [cotton; slide: polyester; as in a scene file]: " + fabricNames() +
+                           "or a fabric file; see docs/files.md")
+            ->check(namesFabric());
+    app.add_option("--solver", words.solver,
+                   "what moves the sheets: Drench's small steps, or stock Bullet's solver in many substeps "
+                   "[small-step]")
+        ->check(CLI::IsMember({"small-step", "stock"}));
+    app.add_option("--world", words.world,
+                   "Bullet's soft-rigid world, or its deformable one, with Bullet's own solver [soft-rigid]")
+        ->check(CLI::IsMember({"soft-rigid", "deformable"}));
+    const CLI::Option* const seed = app.add_option("--seed", run.sceneOptions.seed,
+                                                   "seed of the random numbers [1; that of a scene file]")
+                                        ->check(CLI::Range(0, 0x7fffffff));
+    app.add_flag("--dry", words.dry, "the same scene with nothing that brings water, and without its check");
+    return {fabric, seed};
+}
+
+/// What is written, and what pictures show.
+void addOutputOptions(CLI::App& app, RunOptions& run, Words& words) {
+    app.add_option("--save-scene", run.saved, "write the scene as it is at the end to this scene file")
+        ->check(namesSomething());
+    app.add_option("--csv", run.csv,
+                   "write the water of each frame to this file, or the scene's result where it has one, and "
+                   "the water beside it")
+        ->check(namesSomething());
+    app.add_option("--frames", run.frames, "write pictures (PNG) into this folder")->check(namesSomething());
+    app.add_option("--view", words.view,
+                   "what pictures show of the sheets: their looks, water content, film or strain [beauty]")
+        ->check(CLI::IsMember({"beauty", "content", "film", "strain"}));
+    app.add_option("--record", run.record, "make a film of the run, such as out.mp4, with ffmpeg")
+        ->check(namesSomething());
+    app.add_option("--export", run.exported,
+                   "without a window: the sheets frame by frame, as an animation (FILE.glb), or as numbered "
+                   "meshes (FILE.obj) or tables of their nodes (FILE.csv); see docs/files.md")
+        ->check(endsLike(exportEndings()));
+    app.add_option("--every", run.every,
+                   "a picture each so many frames of 1/60 s [the scene's own moments]; without a window, "
+                   "also of a film [each frame] and of what is exported [each fourth]")
+        ->check(CLI::Range(1, 1000000));
+}
+
+void addWindowOptions(CLI::App& app, RunOptions& run) {
+    app.add_flag("--headless", run.headless, "run without a window; exits with 1 if the scene's check fails");
+    app.add_option("--size", run.windowSize, "width and height of the window [1280 720]")
+        ->check(CLI::Range(100, 16384));
+    app.add_option("--speed", run.speed,
+                   "in the window, simulated time over wall time, at most; 0: as fast as it can [1]")
+        ->check(inRange(0, 1000));
+    app.add_flag("--timings", run.timings,
+                 "say on stderr when the window's first picture came, and how many a second");
+    app.add_flag("--quit-at-end", run.quitAtEnd, "close the window when the scene has come to its end");
+}
+
+}  // namespace
+
+ParsedOptions parseOptions(int argc, char** argv) {
+    ParsedOptions parsed;
+    RunOptions& run = parsed.options;
+    Words words;
+    CLI::App app{"Wet cloth on Bullet soft bodies. Opens a window unless --headless is given.",
+                 "drench-demo"};
+    const OwnChoices own = addSceneOptions(app, run, words);
+    addOutputOptions(app, run, words);
+    addWindowOptions(app, run);
+    try {
+        app.parse(argc, argv);
+        takeFromScene(run, words.file, own);
+        choose(run.sceneOptions, words.solver, words.world);
+        run.sceneOptions.water = !words.dry;
+        run.view = viewOf(words.view);
+        if (!run.exported.empty() && !run.headless)
+            throw CLI::ValidationError("--export", "a window exports nothing; add --headless");
+        if (words.list) {
+            listScenes();
+            parsed.exitStatus = 0;
+        } else if (run.scene.empty()) {
+            throw CLI::RequiredError("SCENE");
+        }
+    } catch (const CLI::ParseError& problem) {
+        parsed.exitStatus = app.exit(problem, std::cout, std::cerr) == 0 ? 0 : 2;
+    } catch (const std::runtime_error& problem) {
+        std::cerr << "drench-demo: " << problem.what() << '\n';
+        parsed.exitStatus = 2;
+    }
+    return parsed;
+}
+
+}  // namespace drench::demo

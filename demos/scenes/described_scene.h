@@ -1,0 +1,25 @@
+// A scene that is nothing but its description.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stage/staged_scene.h"
+
+namespace drench::demo {
+
+/// Runs a description for its duration; its report is the water of each sheet, its check that of their ledgers.
+class DescribedScene final : public StagedScene {
+  public:
+    DescribedScene(const SceneDescription& description, const SceneOptions& options)
+        : StagedScene(fitted(description, options), {60, 120}), title_(description.text) {}
+
+  private:
+    void adorn(viewer::Picture& picture) const override;
+    std::vector<Column> reportColumns() const override;
+    std::vector<double> reportRow() const override;
+
+    std::string title_;
+};
+
+}  // namespace drench::demo

@@ -1,0 +1,85 @@
+#include "stage/stage_solid.h"
+
+#include "world/vectors.h"
+
+namespace drench::demo {
+
+namespace {
+
+btRigidBody& addTo(SceneWorld& world, const SolidDescription& solid) {
+    const btVector3 place = bulletVector(solid.position);
+    const btQuaternion turn = bulletTurn(solid.turn);
+    switch (solid.shape) {
+        case SolidDescription::Shape::box:
+            return world.addBox(place, bulletVector(solid.halfExtents), turn, solid.mass);
+        case SolidDescription::Shape::capsule:
+            return world.addCapsule(place, solid.radius, solid.length, turn, solid.mass);
+        case SolidDescription::Shape::ground:
+            return world.addGround(solid.position.y());
+        case SolidDescription::Shape::ball:
+            break;
+    }
+    return world.addBall(place, solid.radius, solid.mass);
+}
+
+/// Gives what is shown the colour and the material that are wanted, if any are.
+template <typename Thing>
+Thing dressed(Thing thing, const SolidDescription& solid) {
+    if (solid.colour) thing.albedo = solid.colour->cast<float>();
+    if (solid.material) thing.material = *solid.material;
+    return thing;
+}
+
+}  // namespace
+
+StageSolid::StageSolid(SceneWorld& world, const SolidDescription& description) : description_(description) {
+    if (!description_.touches) return;
+    body_ = &addTo(world, description_);
+    body_->setFriction(btScalar(description_.friction));
+    if (!(description_.mass > 0) || description_.shape == SolidDescription::Shape::ground) return;
+    if (description_.shape == SolidDescription::Shape::ball) {
+        btTransform place = body_->getWorldTransform();
+        place.setRotation(bulletTurn(description_.turn));
+        body_->setWorldTransform(place);
+        body_->setInterpolationWorldTransform(place);
+        body_->updateInertiaTensor();
+    }
+    body_->setLinearVelocity(bulletVector(description_.velocity));
+    body_->setAngularVelocity(bulletVector(description_.spin));
+    body_->setActivationState(DISABLE_DEACTIVATION);
+}
+
+SolidDescription StageSolid::describe() const {
+    SolidDescription now = description_;
+    if (!body_ || now.shape == SolidDescription::Shape::ground) return now;
+    now.position = plainVector(body_->getWorldTransform().getOrigin());
+    now.turn = plainTurn(body_->getWorldTransform().getRotation());
+    now.velocity = plainVector(body_->getLinearVelocity());
+    now.spin = plainVector(body_->getAngularVelocity());
+    return now;
+}
+
+void StageSolid::show(viewer::Picture& picture) const {
+    if (!description_.seen) return;
+    const SolidDescription now = describe();
+    const Eigen::Vector3f place = now.position.cast<float>();
+    const Eigen::Quaternionf turn = now.turn.cast<float>();
+    switch (now.shape) {
+        case SolidDescription::Shape::ball:
+            picture.balls.push_back(dressed(viewer::Ball{place, float(now.radius), turn}, now));
+            break;
+        case SolidDescription::Shape::box:
+            picture.boxes.push_back(dressed(viewer::Box{place, now.halfExtents.cast<float>(), turn}, now));
+            break;
+        case SolidDescription::Shape::capsule: {
+            const Eigen::Vector3f half = turn * Eigen::Vector3f(0, float(now.length) / 2, 0);
+            picture.rods.push_back(dressed(viewer::Rod{place - half, place + half, float(now.radius)}, now));
+            break;
+        }
+        case SolidDescription::Shape::ground:
+            picture.groundHeight = place.y();
+            break;
+    }
+}
+
+}  // namespace drench::demo

@@ -1,0 +1,31 @@
+// Compiled and linked shaders.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "viewer/gl/gl_object.h"
+
+namespace drench::viewer {
+
+// A vertex and a fragment shader, linked. Its uniform blocks Frame and Sheet stand at the bindings 0 and 1; its samplers
+// sunShadow, scene, sunDepth, sceneDepth, sunPassing and sheetLayers at the texture units 0 to 5.
+class ShaderProgram {
+  public:
+    // Joins each list of source pieces behind a #version 330 line. Throws std::runtime_error with the
+    // driver's log and the program's name when they do not compile or link.
+    ShaderProgram(const std::string& name, std::initializer_list<std::string_view> vertexPieces,
+                  std::initializer_list<std::string_view> fragmentPieces);
+
+    // Makes the following draw calls use this program.
+    void use() const { glUseProgram(program_.name()); }
+
+  private:
+    void bindInputs() const;
+    void bindBlock(const char* name, GLuint binding) const;
+
+    GlObject<ProgramKind> program_;
+};
+
+}  // namespace drench::viewer

@@ -1,0 +1,39 @@
+// Draws the sheets of a picture.
+#pragma once
+
+#include <vector>
+
+#include "viewer/gl/shader_program.h"
+#include "viewer/passes/sheet_buffer.h"
+
+namespace drench::viewer {
+
+// The sheets in graphics memory and the shaders that draw them.
+class SheetPass {
+  public:
+    // Needs a current OpenGL context; throws as ShaderProgram does.
+    SheetPass();
+
+    // Replaces the sheets by those of the picture, and adds the positions of those that can be drawn to
+    // `casters`. Throws as sheetSurface does.
+    void upload(const Picture& picture, std::vector<Eigen::Vector3f>& casters);
+    bool empty() const { return count_ == 0; }
+    // Draws into the bound shadow map.
+    void drawShadows() const;
+    // Draws how much light each sheet lets through into the bound layers, where no solid of what is resolved for lookup
+    // hides it.
+    void drawLayers() const;
+    // Draws into the bound scene, over what is resolved for lookup.
+    void draw() const;
+
+  private:
+    void drawAll() const;
+
+    ShaderProgram program_;
+    ShaderProgram shadowProgram_;
+    ShaderProgram layerProgram_;
+    std::vector<SheetBuffer> sheets_;
+    std::size_t count_ = 0;
+};
+
+}  // namespace drench::viewer

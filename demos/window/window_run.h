@@ -1,0 +1,65 @@
+// A scene in a window.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "run/recorder.h"
+#include "run/run_options.h"
+#include "run/simulation.h"
+#include "viewer/renderer.h"
+#include "viewer/window.h"
+#include "window/panel.h"
+#include "window/picture_count.h"
+
+namespace drench::demo {
+
+/// Shows a simulation, which runs by itself, and hands it what the user wants. The scene is looked at as it
+/// was last seen; drawing never makes it wait but for pictures and films that are to be kept whole.
+class WindowRun {
+  public:
+    /// Opens the window. @throws std::runtime_error where that cannot be
+    explicit WindowRun(const RunOptions& options);
+
+    /// Goes on until the window is closed. @return the exit status: 0, 1 after OpenGL errors, or 2 where a
+    /// film or the scene has failed
+    int loop();
+
+  private:
+    void see();
+    void stepBack(bool wasSplit, bool isSplit);
+    void obeyKeys();
+    void obey(viewer::Key key);
+    void useMouse();
+    void draw();
+    void keepPictures();
+    void keep(const Keepsake& keepsake);
+    void startFilm(const std::filesystem::path& file);
+    void endFilm();
+    void loseFilm(const std::string& why);
+    void write(const std::filesystem::path& file, const viewer::Image& image);
+    std::filesystem::path pictureFolder() const;
+    void takeScreenshot();
+    void restart();
+    const viewer::Picture& pictureUnder(const viewer::Mouse& mouse) const;
+    viewer::Picture seen(viewer::Picture picture);
+    viewer::Image imageOf(const Snapshot& snapshot);
+    int exitStatus() const;
+
+    RunOptions options_;
+    PanelState state_;
+    viewer::Window window_;
+    Simulation simulation_;  // makes its scene while the renderer compiles its shaders
+    viewer::Renderer renderer_;
+    Panel panel_;
+    PictureCount pictures_;
+    std::shared_ptr<const Snapshot> snapshot_;  // the newest that was seen
+    std::string cameraOf_;                      // the scene that chose the camera
+    bool onCloth_ = false;                      // where the left button went down
+    std::unique_ptr<Recorder> film_;
+    std::filesystem::path filmFile_;
+    bool filmLost_ = false;
+};
+
+}  // namespace drench::demo

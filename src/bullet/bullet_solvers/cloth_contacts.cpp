@@ -1,0 +1,278 @@
+#include "bullet/bullet_solvers/cloth_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bullet/sheet/rest_shape.h"
+#include "bullet/sheet/sheet_mechanics.h"
+#include "bullet/world/body_watch.h"
+#include "bullet/world/soft_world.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+/// Whether Bullet looks for contacts of two soft bodies.
+bool meet(const btSoftBody& body, const btSoftBody& other, int kind) {
+    return &body != &other && (body.m_cfg.collisions & other.m_cfg.collisions & kind);
+}
+
+/// The mechanics of a sheet that Bullet moves and that the world's filters let meet the body; none for anything else.
+SheetMechanics* mechanicsOfPartner(btDiscreteDynamicsWorld& world, const btSoftBody& body,
+                                   btSoftBody& other) {
+    SheetMechanics* const mechanics = BodyWatch::mechanicsOf(other);
+    if (!mechanics || mechanics->movedBySmallSteps || other.m_fdbvt.empty()) return nullptr;
+    if (!mechanics->fits || !hasCountsOf(other, mechanics->shape)) return nullptr;
+    if (!world.getDispatcher()->needsCollision(&body, &other)) return nullptr;
+    const auto* const one = body.getBroadphaseHandle();
+    const auto* const two = other.getBroadphaseHandle();
+    const bool isFiltered = !one || !two ||
+                            !world.getPairCache()->needsBroadphaseCollision(
+                                const_cast<btBroadphaseProxy*>(one), const_cast<btBroadphaseProxy*>(two));
+    return isFiltered ? nullptr : mechanics;
+}
+
+}  // namespace
+
+struct ClothContacts::Search final : btDbvt::ICollide {
+    Search(ClothContacts& contacts, const Partner& partner, const btSoftBody::Node& node)
+        : contacts_(contacts),
+          partner_(partner),
+          isAwake_(partner.body->isActive()),
+          start_(contacts.startOf(node, true)),
+          motion_(contacts.motionOf(node, true)) {}
+
+    btDbvtVolume volume() const {
+        const btScalar margin = partner_.margin + contacts_.reach_;
+        btVector3 low = start_ + partner_.leastMotion, high = start_ + partner_.mostMotion;
+        low.setMin(start_ + motion_);
+        high.setMax(start_ + motion_);
+        const btVector3 around(margin, margin, margin);
+        return btDbvtVolume::FromMM(low - around, high + around);
+    }
+
+    void Process(const btDbvtNode* leaf) override {
+        auto& face = *static_cast<btSoftBody::Face*>(leaf->data);
+        const auto startOf = [&](int corner) { return contacts_.startOf(*face.m_n[corner], isAwake_); };
+        const auto motionOf = [&](int corner) { return contacts_.motionOf(*face.m_n[corner], isAwake_); };
+        const auto nearest = contacts_.projection_.of(start_, startOf(0), startOf(1), startOf(2));
+        const btScalar distance = nearest.apart.length();
+        const btVector3& weights = nearest.weights;
+        const btVector3 motion =
+            motion_ - motionOf(0) * weights.x() - motionOf(1) * weights.y() - motionOf(2) * weights.z();
+        const btScalar farthest = partner_.margin + std::max(contacts_.reach_, motion.length());
+        // Of a node in the very plane of a face nobody knows which way is out.
+        if (!(distance > SIMD_EPSILON && distance < farthest)) return;
+        contacts_.near_.push_back(
+            {&partner_, &face, weights, nearest.apart / distance, distance - partner_.margin});
+    }
+
+  private:
+    ClothContacts& contacts_;
+    const Partner& partner_;
+    const bool isAwake_;
+    const btVector3 start_, motion_;
+};
+
+void ClothContacts::solve(btDiscreteDynamicsWorld& world, btSoftBody& body, Grip& grip, Mover mover,
+                          double substep) {
+    mover_ = mover;
+    body_ = &body;
+    grip_ = &grip;
+    substep_ = btScalar(substep);
+    reach_ = grip.clings() ? btScalar(grip.reach()) : btScalar(0);
+    bonds_.assign(grip.bondedToCloth.size(), nullptr);
+    findPartners(world, body);
+    if (!partners_.empty()) {
+        forgetBulletsContacts(body);
+        for (int n = 0; n < body.m_nodes.size(); ++n) {
+            btSoftBody::Node& node = body.m_nodes[n];
+            findFaces(node);
+            for (std::size_t i = 0; i < near_.size(); ++i) solve(node, near_[i], i == 0);
+        }
+    }
+    grip.bondedToCloth.swap(bonds_);
+}
+
+void ClothContacts::findPartners(btDiscreteDynamicsWorld& world, const btSoftBody& body) {
+    partners_.clear();
+    meetsOthers_ = false;
+    const int kind =
+        mover_ == Mover::stockSolver ? btSoftBody::fCollision::VF_SS : btSoftBody::fCollision::VF_DD;
+    const auto& all = softBodiesOf(world);
+    for (int i = 0; i < all.size(); ++i) {
+        btSoftBody& other = *all[i];
+        if (!meet(body, other, kind)) continue;
+        const SheetMechanics* const mechanics = mechanicsOfPartner(world, body, other);
+        if (!mechanics) {
+            meetsOthers_ = true;
+            continue;
+        }
+        const bool isAwake = other.isActive();
+        btVector3 least = motionOf(other.m_nodes[0], isAwake), most = least;
+        for (int n = 1; n < other.m_nodes.size(); ++n) {
+            least.setMin(motionOf(other.m_nodes[n], isAwake));
+            most.setMax(motionOf(other.m_nodes[n], isAwake));
+        }
+        const btScalar margins =
+            body.getCollisionShape()->getMargin() + other.getCollisionShape()->getMargin();
+        partners_.push_back({&other, &mechanics->grip, margins, dryFriction(body, other), least, most});
+    }
+}
+
+void ClothContacts::forgetBulletsContacts(btSoftBody& body) const {
+    if (mover_ != Mover::stockSolver) {
+        // The deformable world looks for its own after its solve, and pushes the bodies apart without keeping their
+        // momentum. It finds none of a tree that is nowhere, and fits the tree to the nodes again right after that.
+        constexpr auto far = btScalar(1e18);
+        if (!meetsOthers_ && body.m_ndbvt.m_root)
+            body.m_ndbvt.m_root->volume = btDbvtVolume::FromMM({far, far, far}, {-far, -far, -far});
+        return;
+    }
+    auto& contacts = body.m_scontacts;
+    for (int i = contacts.size(); i-- > 0;) {
+        const btSoftBody::Face* const face = contacts[i].m_face;
+        const bool isOurs = std::any_of(partners_.begin(), partners_.end(), [&](const Partner& partner) {
+            const auto& faces = partner.body->m_faces;
+            return face >= &faces[0] && face <= &faces[faces.size() - 1];
+        });
+        if (!isOurs) continue;
+        contacts.swap(i, contacts.size() - 1);
+        contacts.pop_back();
+    }
+}
+
+void ClothContacts::findFaces(btSoftBody::Node& node) {
+    near_.clear();
+    for (const Partner& partner : partners_) {
+        Search search(*this, partner, node);
+        const btDbvt& tree = partner.body->m_fdbvt;
+        const auto first = static_cast<std::ptrdiff_t>(near_.size());
+        tree.collideTVNoStackAlloc(tree.m_root, search.volume(), stack_, search);
+        // Not in the order of the tree, which depends on what has been where before.
+        std::sort(near_.begin() + first, near_.end(),
+                  [](const Near& a, const Near& b) { return a.face < b.face; });
+    }
+    if (near_.size() > 1) keepFacing(node);
+}
+
+/// The plane of a contact has no end. A face beside the nearest one, in the same plane, has its nearest point on its
+/// edge, and a plane that stands askew in the way of a node that slides along; it counts only where it rises.
+void ClothContacts::keepFacing(const btSoftBody::Node& node) {
+    const auto nearest = std::min_element(near_.begin(), near_.end(),
+                                          [](const Near& a, const Near& b) { return a.gap < b.gap; });
+    std::iter_swap(near_.begin(), nearest);
+    const btVector3 place = startOf(node, true);
+    const auto pointOf = [&](const Near& near) {
+        return place - near.normal * (near.gap + near.partner->margin);
+    };
+    const btVector3 point = pointOf(near_[0]), normal = near_[0].normal;
+    const btScalar rise = btScalar(0.1) * near_[0].partner->margin;
+    near_.erase(std::remove_if(near_.begin() + 1, near_.end(),
+                               [&](const Near& near) { return (pointOf(near) - point).dot(normal) < rise; }),
+                near_.end());
+}
+
+void ClothContacts::solve(btSoftBody::Node& node, const Near& near, bool isNearest) {
+    const bool otherIsAwake = near.partner->body->isActive();
+    Corner corners[4] = {{&node, 1, node.m_im, true}};
+    for (int i = 0; i < 3; ++i) {
+        btSoftBody::Node& of = *near.face->m_n[i];
+        corners[i + 1] = {&of, -near.weights[i], otherIsAwake ? of.m_im : 0, otherIsAwake};
+    }
+    btScalar response = 0;
+    btVector3 motion(0, 0, 0);
+    for (const Corner& corner : corners) {
+        response += corner.weight * corner.weight * corner.inverseMass;
+        motion += motionOf(*corner.node, corner.isAwake) * corner.weight;
+    }
+    if (!(response > 0)) return;
+
+    const auto n = static_cast<std::size_t>(indexOf(*body_, &node));
+    const btScalar approach = motion.dot(near.normal), depth = -(std::max(near.gap, btScalar(0)) + approach);
+    if (!(std::abs(depth) < std::numeric_limits<btScalar>::max())) return;
+    // To a hair, as the other sheet has its turn too, and may have lifted this one off just now.
+    const bool touches = near.gap < btScalar(0.02) * near.partner->margin || depth > 0;
+    const double bond = isNearest ? bondOf(n, near) : 0.0;
+    const bool isBonded = bond > 0 && (touches || grip_->bondedToCloth[n] == near.partner->body) &&
+                          depth > -btScalar(grip_->reach());
+    if (isBonded) bonds_[n] = near.partner->body;
+    if (near.gap < 0)
+        lift(corners, near.normal * (std::min(-near.gap, btScalar(0.1) * near.partner->margin) / response));
+    if (touches || isBonded) list(node, near);
+    if (!(depth > 0 || isBonded)) return;
+
+    // How far the bond takes them together within the substep, and how far they go.
+    const btScalar held = btScalar(bond) * substep_ * substep_ * response * btScalar(isBonded),
+                   closing = std::max(depth, -held);
+    const btVector3 slip = motion - near.normal * approach;
+    // What presses the faces together is what holds them apart: the push, and that against the bond.
+    const btScalar length = slip.length(),
+                   most = near.partner->friction * btScalar(grip_->frictionRatio(n)) * (closing + held);
+    btVector3 way = near.normal * closing;
+    if (length > 0) way -= slip * (std::min(most, length) / length);
+    push(corners, way / response);
+}
+
+/// For those who look through Bullet's lists; Bullet does nothing about it.
+void ClothContacts::list(btSoftBody::Node& node, const Near& near) const {
+    if (mover_ == Mover::stockSolver) {
+        body_->m_scontacts.push_back(silentContact(node, *near.face, near.weights, near.normal,
+                                                   near.partner->margin, near.partner->friction));
+        return;
+    }
+    btSoftBody::DeformableFaceNodeContact contact = {};
+    contact.m_node = &node;
+    contact.m_face = near.face;
+    contact.m_bary = near.weights;
+    contact.m_normal = contact.m_weights = btVector3(0, 0, 0);
+    contact.m_colObj = near.partner->body;
+    body_->m_faceNodeContacts.push_back(contact);
+}
+
+/// Both have to be wet; and the nodes of either hold one half.
+double ClothContacts::bondOf(std::size_t node, const Near& near) const {
+    double ofOther = 0;
+    for (int corner = 0; corner < 3; ++corner) {
+        const int index = indexOf(*near.partner->body, near.face->m_n[corner]);
+        ofOther +=
+            double(near.weights[corner]) * near.partner->grip->bondTraction(static_cast<std::size_t>(index));
+    }
+    return 0.5 * std::min(grip_->bondTraction(node), ofOther) * grip_->area(node);
+}
+
+/// Takes overlapping sheets apart, without a velocity of their own and a little at a time: all at once would
+/// take cloth through cloth elsewhere.
+void ClothContacts::lift(const Corner (&corners)[4], const btVector3& way) {
+    for (const Corner& corner : corners) {
+        const btVector3 by = way * (corner.weight * corner.inverseMass);
+        corner.node->m_x += by;
+        corner.node->m_q += by;
+    }
+}
+
+/// Moves nodes as a force would.
+void ClothContacts::push(const Corner (&corners)[4], const btVector3& way) const {
+    for (const Corner& corner : corners) {
+        const btVector3 by = way * (corner.weight * corner.inverseMass);
+        btSoftBody::Node& node = *corner.node;
+        node.m_v += by / substep_;
+        // From which an implicit step starts, and of which Bullet's own solver makes velocities.
+        if (mover_ == Mover::implicitWorld) node.m_vn += by / substep_;
+        if (mover_ == Mover::stockSolver) node.m_x += by;
+    }
+}
+
+btVector3 ClothContacts::startOf(const btSoftBody::Node& node, bool isAwake) const {
+    return mover_ == Mover::stockSolver && isAwake ? node.m_q : node.m_x;
+}
+
+btVector3 ClothContacts::motionOf(const btSoftBody::Node& node, bool isAwake) const {
+    if (!isAwake) return {0, 0, 0};
+    return mover_ == Mover::stockSolver ? node.m_x - node.m_q : node.m_v * substep_;
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

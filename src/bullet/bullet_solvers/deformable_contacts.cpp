@@ -1,0 +1,110 @@
+#include "bullet/bullet_solvers/deformable_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet/contact/solids.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+/// A solid that gives way when it is pushed; none for one that does not.
+btRigidBody* pushable(const btCollisionObject& object) {
+    const btRigidBody* const body = movingBody(object);
+    return body && !body->isStaticOrKinematicObject() ? const_cast<btRigidBody*>(body) : nullptr;
+}
+
+/// An impulse between a node and a solid at the node's place.
+void exchange(btSoftBody::Node& node, const btCollisionObject& solid, const btVector3& impulse,
+              bool implicit) {
+    node.m_v += impulse * node.m_im;
+    // From which an implicit step starts.
+    if (implicit) node.m_vn += impulse * node.m_im;
+    btRigidBody* const body = pushable(solid);
+    if (!body) return;
+    body->applyImpulse(-impulse, node.m_x - body->getCenterOfMassPosition());
+    body->activate();
+}
+
+}  // namespace
+
+void DeformableContacts::rewrite(const btCollisionWorld& world, btSoftBody& body, Grip& grip,
+                                 btScalar substep, bool implicit) {
+    met_.begin(world, body, grip);
+    bonds_.assign(grip.bondedTo.size(), nullptr);
+    const Substep now = {body, grip, substep, body.getCollisionShape()->getMargin(), implicit};
+    order_.sort(body.m_nodeRigidContacts, [](const auto& contact) { return contact.m_node; });
+    order_.sort(body.m_faceRigidContacts, [](const auto& contact) { return contact.m_face; });
+    for (int i = 0; i < body.m_nodeRigidContacts.size(); ++i) rewrite(body.m_nodeRigidContacts[i], now);
+    for (int i = 0; i < body.m_faceRigidContacts.size(); ++i) rewrite(body.m_faceRigidContacts[i], now);
+    for (std::size_t n = 0; n < bonds_.size(); ++n)
+        if (grip.bondedTo[n] && !bonds_[n] && grip.bond(n) > 0) hold(n, grip.bondedTo[n], now);
+    grip.bondedTo.swap(bonds_);
+}
+
+void DeformableContacts::rewrite(btSoftBody::DeformableNodeRigidContact& contact, const Substep& now) {
+    btSoftBody::Node& node = *contact.m_node;
+    const btCollisionObject& object = *contact.m_cti.m_colObj;
+    const MetSolids::Met& met = met_.at(&object);
+    if (!(node.m_im > 0) || !met.exists) return;
+    const auto n = static_cast<std::size_t>(&node - &now.body.m_nodes[0]);
+    const double friction = now.grip.friction(met.surface, n);
+    contact.m_c3 = btScalar(friction);
+    const double bond = met.surface.wettability * now.grip.bond(n);
+    if (!(bond > 0) || object.getInternalType() == btCollisionObject::CO_FEATHERSTONE_LINK) return;
+    const btVector3& normal = contact.m_cti.m_normal;
+    const btScalar approach = -(node.m_v - velocityAt(object, node.m_x)).dot(normal);
+    if (contact.m_cti.m_offset > approach * now.time) return;
+    bonds_[n] = &object;
+    if (!now.implicit) return exchange(node, object, normal * (-btScalar(bond) * now.time), now.implicit);
+    // Bullet's implicit contacts push back by more than the node's mass.
+    constexpr double most = 30;
+    const double pull = bond * double(now.time) * double(node.m_im);
+    contact.m_c3 = btScalar(friction * (approach > 0 ? std::min(1 + pull / double(approach), most) : most));
+}
+
+void DeformableContacts::rewrite(btSoftBody::DeformableFaceRigidContact& contact, const Substep& now) {
+    const MetSolids::Met& met = met_.at(contact.m_cti.m_colObj);
+    if (!met.exists) return;
+    double friction = 0;
+    for (int corner = 0; corner < 3; ++corner) {
+        const auto n = static_cast<std::size_t>(contact.m_face->m_n[corner] - &now.body.m_nodes[0]);
+        friction += double(contact.m_bary[corner]) * now.grip.friction(met.surface, n);
+    }
+    contact.m_c3 = btScalar(friction);
+}
+
+void DeformableContacts::hold(std::size_t n, const btCollisionObject* solid, const Substep& now) {
+    btSoftBody::Node& node = now.body.m_nodes[static_cast<int>(n)];
+    if (!(node.m_im > 0) || node.m_battach) return;
+    const MetSolids::Met& met = met_.at(solid);
+    const double bond = met.exists ? met.surface.wettability * now.grip.bond(n) : 0.0;
+    if (!(bond > 0)) return;
+    const SurfacePoint surface = nearestSurfaceOf(*solid, node.m_x, now.body.m_worldInfo->m_sparsesdf);
+    const btVector3 slip = node.m_v - velocityAt(*solid, node.m_x);
+    const btScalar leaving = slip.dot(surface.normal),
+                   gap = surface.distance - now.margin + leaving * now.time;
+    if (!(gap < btScalar(now.grip.reach()))) return;
+    bonds_[n] = solid;
+    if (gap <= 0) return;
+    const btRigidBody* const body = pushable(*solid);
+    const auto responseAlong = [&](const btVector3& direction) {
+        return node.m_im + (body ? body->computeImpulseDenominator(node.m_x, direction) : 0);
+    };
+    const btScalar response = responseAlong(surface.normal);
+    const btScalar most = btScalar(bond) * now.time, pull = std::min(gap / (now.time * response), most);
+    const btVector3 along = slip - surface.normal * leaving;
+    // What presses the faces together is what the bond has left.
+    const btScalar speed = along.length(),
+                   friction = btScalar(now.grip.friction(met.surface, n)) * (most - pull);
+    btVector3 impulse = surface.normal * -pull;
+    // An implicit contact, which knows what else holds the node, has friction; a guess by its mass shakes it.
+    if (speed > 0 && !now.implicit)
+        impulse -= along * (std::min(friction, speed / responseAlong(along / speed)) / speed);
+    exchange(node, *solid, impulse, now.implicit);
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,166 @@
+#include "bullet/bullet_solvers/stock_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+/// Moves a node as a force would, for Bullet to make velocities of it: from places, or before that.
+void displace(btSoftBody::Node& node, const btVector3& by, btScalar substep) {
+    node.m_x += by;
+    node.m_v += by / substep;
+}
+
+/// Moves it without a velocity.
+void lift(btSoftBody::Node& node, const btVector3& by) {
+    node.m_x += by;
+    node.m_q += by;
+}
+
+/// Has Bullet do nothing about a contact.
+void silence(btSoftBody::RContact& contact) {
+    contact.m_c0 = btMatrix3x3(0, 0, 0, 0, 0, 0, 0, 0, 0);
+    contact.m_c2 = 0;
+}
+
+}  // namespace
+
+void StockContacts::rewrite(const btCollisionWorld& world, btSoftBody& body, Grip& grip) {
+    met_.begin(world, body, grip);
+    solids_.clear();
+    held_.clear();
+    heldAt_.assign(grip.bondedTo.size(), -1);
+    bonds_.assign(grip.bondedTo.size(), nullptr);
+    stuck_.swap(stuckBefore_);
+    stuck_.assign(bonds_.size(), {});
+    stuckBefore_.resize(bonds_.size());
+    order_.sort(body.m_rcontacts, [](const btSoftBody::RContact& contact) { return contact.m_node; });
+    for (int i = 0; i < body.m_rcontacts.size(); ++i) rewrite(body.m_rcontacts[i], body, grip);
+    findBonded(body, grip);
+
+    const auto substep = double(body.m_sst.sdt);
+    solids_.begin(substep);
+    solids_.advance(substep);
+    for (const Held& held : held_) hold(body, held, btScalar(grip.reach()));
+    solids_.finish(body.m_worldInfo->m_dispatcher);
+    grip.bondedTo.swap(bonds_);
+}
+
+void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, const Grip& grip) {
+    btSoftBody::Node& node = *contact.m_node;
+    const btCollisionObject& object = *contact.m_cti.m_colObj;
+    if (!(node.m_im > 0) || object.getInternalType() == btCollisionObject::CO_FEATHERSTONE_LINK) return;
+    const MetSolids::Met& met = met_.at(&object);
+    if (!met.exists) return;
+    const btScalar margin = body.getCollisionShape()->getMargin();
+    const btRigidBody* const rigid = btRigidBody::upcast(&object);
+    const btVector3 ofSolid =
+        rigid ? rigid->getVelocityInLocalPoint(contact.m_c1) * body.m_sst.sdt : btVector3(0, 0, 0);
+    const btVector3 motion = node.m_x - node.m_q - ofSolid;
+
+    // Bullet has looked where the solid was as the substep began. Its own idea of the surface counts, however
+    // coarse: lifted to another, nodes would drop back to where it finds them.
+    SurfacePoint surface;
+    surface.normal = contact.m_cti.m_normal;
+    surface.distance = surface.normal.dot(node.m_x - ofSolid) + contact.m_cti.m_offset + margin;
+    const btScalar approach = motion.dot(surface.normal), start = surface.distance - margin - approach;
+    // A node that was inside before, and stays, comes out by a margin at once.
+    const btScalar lifted = std::clamp(-start, btScalar(0), margin + motion.length());
+    lift(node, surface.normal * lifted);
+    surface.distance += lifted;
+    contact.m_cti.m_offset = surface.distance - margin - surface.normal.dot(node.m_x);
+    if (surface.distance >= margin) return silence(contact);
+
+    contact.m_c3 = 1;  // no friction
+    contact.m_c4 = 0;  // no push
+    const int n = static_cast<int>(&node - &body.m_nodes[0]);
+    const auto index = static_cast<std::size_t>(n);
+    const double bond = met.surface.wettability * grip.bond(index);
+    if (bond > 0) bonds_[index] = &object;
+    add({n, solids_.indexOf(object), surface, std::max(btScalar(0), -approach), true, bond,
+         grip.friction(met.surface, index)});
+}
+
+/// What faces a node by several parts, as a floor of boxes or triangles does, presses and clings once.
+void StockContacts::add(const Held& held) {
+    constexpr btScalar alike = btScalar(0.7);  // cosine between the normals
+    int& at = heldAt_[static_cast<std::size_t>(held.node)];
+    if (at >= 0) {
+        Held& other = held_[static_cast<std::size_t>(at)];
+        if (other.surface.normal.dot(held.surface.normal) > alike) {
+            if (held.approach > other.approach) other = held;
+            return;
+        }
+    }
+    at = static_cast<int>(held_.size());
+    held_.push_back(held);
+}
+
+void StockContacts::findBonded(btSoftBody& body, const Grip& grip) {
+    for (std::size_t n = 0; n < bonds_.size(); ++n) {
+        if (!grip.bondedTo[n] || bonds_[n] || !(grip.bond(n) > 0)) continue;
+        const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        if (!(node.m_im > 0) || node.m_battach) continue;
+        const MetSolids::Met& met = met_.at(grip.bondedTo[n]);
+        const double bond = met.exists ? met.surface.wettability * grip.bond(n) : 0.0;
+        if (!(bond > 0)) continue;
+        const SurfacePoint surface = nearestSurfaceOf(*met.object, node.m_x, body.m_worldInfo->m_sparsesdf);
+        if (!std::isfinite(surface.distance)) continue;
+        held_.push_back({static_cast<int>(n), solids_.indexOf(*met.object), surface, 0, false, bond,
+                         grip.friction(met.surface, n)});
+    }
+}
+
+void StockContacts::hold(btSoftBody& body, const Held& held, btScalar reach) {
+    btSoftBody::Node& node = body.m_nodes[held.node];
+    Solid& solid = solids_[held.solid];
+    const btVector3& normal = held.surface.normal;
+    const btScalar substep = body.m_sst.sdt;
+    const btVector3 arm = node.m_x - normal * held.surface.distance - solid.end().getOrigin();
+    const btScalar response = node.m_im + solid.response(arm, normal);
+    const btScalar bond = btScalar(held.bond) * substep * substep;
+    btScalar push = held.approach / response;
+    if (!held.isInContact) {
+        const btScalar margin = body.getCollisionShape()->getMargin(),
+                       gap = held.surface.distance - margin - normal.dot(solid.displacement(arm));
+        if (!(gap < reach)) return;
+        bonds_[static_cast<std::size_t>(held.node)] = &solid.object();
+        push = -std::clamp(gap / response, btScalar(0), bond);
+    }
+
+    const btVector3 slip = node.m_x - node.m_q - solid.step(arm);
+    const btVector3 along = slip - normal * slip.dot(normal);
+    // A solid that may turn gives way to what drags it along its surface more than to what presses on it.
+    const btScalar length = along.length(),
+                   givesWay = length > 0 ? node.m_im + solid.response(arm, along / length) : response,
+                   needed = length / givesWay;
+    // What presses the faces together is what holds them apart: the push, and that against the bond.
+    const btScalar most = btScalar(held.friction) * (push + bond);
+    const bool sticks = needed <= most;
+    btVector3 total(0, 0, 0);
+    if (length > 0) total = along * (-std::min(needed, most) / length);
+    if (!held.isInContact) total += normal * push;  // else Bullet does that
+    displace(node, total * node.m_im, substep);
+    solid.push(arm, -total);
+    if (sticks) stick(body, held);
+}
+
+void StockContacts::stick(btSoftBody& body, const Held& held) {
+    btSoftBody::Node& node = body.m_nodes[held.node];
+    const btTransform& place = solids_[held.solid].end();
+    const auto n = static_cast<std::size_t>(held.node);
+    const btCollisionObject* const object = &solids_[held.solid].object();
+    if (stuckBefore_[n].object == object) {
+        const btVector3 back = place * stuckBefore_[n].place - node.m_x;
+        // Someone has put the sheet or the solid elsewhere if it is farther than links could have pulled it.
+        const btScalar most = body.getCollisionShape()->getMargin() + (node.m_x - node.m_q).length();
+        if (back.length() <= most) lift(node, back - held.surface.normal * back.dot(held.surface.normal));
+    }
+    stuck_[n] = {object, place.invXform(node.m_x)};
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,70 @@
+#include "bullet/contact/grip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+/// A bond is no shorter than the water between two faces is thick, and no longer than looks like touching.
+constexpr double shortestReach = 1e-3, longestReach = 1e-2;  // m
+
+double nodeDistance(const ClothMesh& mesh) {
+    const double area = std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0);
+    return std::sqrt(area / double(mesh.size()));
+}
+
+}  // namespace
+
+double usableFriction(double coefficient) {
+    constexpr double most = 1e3;  // holds whatever presses
+    return coefficient > 0 ? std::min(coefficient, most) : 0;
+}
+
+Grip::Grip(const Fabric& fabric, const ClothMesh& mesh)
+    : bondedTo(mesh.size(), nullptr),
+      bondedToCloth(mesh.size(), nullptr),
+      kinds_{surfaceOf(fabric, SurfaceKind::plate), surfaceOf(fabric, SurfaceKind::skin),
+             surfaceOf(fabric, SurfaceKind::rough)},
+      reach_(std::clamp(nodeDistance(mesh), shortestReach, longestReach)),
+      areas_(mesh.areas),
+      clings_(fabric.clingEnergy > 0) {}
+
+void Grip::takeOver(const Grip& other) {
+    surfaces_ = other.surfaces_;
+    laws_ = other.laws_;
+    moisture_ = other.moisture_;
+    const std::size_t common = std::min(bondedTo.size(), other.bondedTo.size());
+    std::copy_n(other.bondedTo.begin(), common, bondedTo.begin());
+    std::copy_n(other.bondedToCloth.begin(), common, bondedToCloth.begin());
+}
+
+void Grip::setSurface(const btCollisionObject& solid, const Surface& surface) {
+    validate(surface);
+    surfaces_[&solid] = surface;
+}
+
+Surface Grip::surfaceAt(const btCollisionObject& solid, btScalar kDF) const {
+    const auto found = surfaces_.find(&solid);
+    if (found != surfaces_.end()) return found->second;
+    const double dry = usableFriction(double(kDF) * double(solid.getFriction()));
+    const Surface& plate = ofKind(SurfaceKind::plate);
+    if (!(plate.frictionDry > 0)) return {dry, dry, dry, plate.wettability};
+    const double share = dry / plate.frictionDry;
+    return {dry, share * plate.frictionDamp, share * plate.frictionSoaked, plate.wettability};
+}
+
+double Grip::frictionRatio(std::size_t node) const {
+    const Surface& plate = ofKind(SurfaceKind::plate);
+    return plate.frictionDry > 0 ? friction(plate, node) / plate.frictionDry : 1;
+}
+
+double Grip::bondTraction(std::size_t node) const {
+    return laws_->clingEnergy(moisture_->saturation(node), moisture_->filmThickness(node)) / reach_;
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

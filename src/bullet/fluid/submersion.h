@@ -1,0 +1,57 @@
+// What sources have said about nodes under water.
+#pragma once
+
+#include <BulletSoftBody/btSoftBody.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "bullet/small_steps/small_step_kernels.h"
+#include "bullet/world/vectors.h"
+#include "drench/precision.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+class BulletPass;
+
+/// Written by the sources of a sheet, read by what pushes it in the same substep, then forgotten.
+class Submersion {
+  public:
+    explicit Submersion(std::size_t nodes)
+        : isUnder_(nodes, 0), depths_(nodes, 0), velocities_(nodes, MovingNode{0, 0, 0, 0}) {}
+
+    /// Of several waters around a node the deepest counts.
+    void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) {
+        if (isUnder_[node] && !(float(depth) > depths_[node])) return;
+        if (!isUnder_[node]) nodes_.push_back(node);
+        isUnder_[node] = 1;
+        depths_[node] = float(depth);
+        velocities_[node] = {float(velocity.x()), float(velocity.y()), float(velocity.z()), 0};
+    }
+    void forget() {
+        for (const std::size_t node : nodes_) isUnder_[node] = 0;
+        nodes_.clear();
+    }
+
+    /// Whether a depth of the node is known.
+    bool knows(std::size_t node) const { return isUnder_[node] != 0; }
+    /// Nodes of which a depth is known.
+    const std::vector<std::size_t>& nodes() const { return nodes_; }
+    /// Of such a node, m below the surface.
+    float depth(std::size_t node) const { return depths_[node]; }
+    /// Of the water there, m/s.
+    const MovingNode& velocity(std::size_t node) const { return velocities_[node]; }
+
+  private:
+    friend class BulletPass;
+    void state(BulletPass& pass);
+
+    std::vector<char> isUnder_;
+    std::vector<float> depths_;
+    std::vector<MovingNode> velocities_;
+    std::vector<std::size_t> nodes_;
+};
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,86 @@
+#include "bullet/layer/account_supply.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "bullet/world/vectors.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+/// Velocities whose momentum a float can hold.
+void checkVelocity(const char* what, std::size_t node, const Eigen::Vector3d& velocity) {
+    constexpr double fastest = 1e6;  // m/s
+    if (!(velocity.cwiseAbs().maxCoeff() <= fastest) || !velocity.allFinite())
+        throw std::invalid_argument("drench: water " + (what + (" node " + std::to_string(node))) +
+                                    " has a velocity that is not finite or over 1e6; give m/s");
+}
+
+}  // namespace
+
+void AccountSupply::addFilm(std::size_t node, double mass, const Eigen::Vector3d& velocity) {
+    checkVelocity("for", node, velocity);
+    sheet_.moisture.addFilm(node, mass, account_);
+    Arrival& arrival = sheet_.arrivals[node];
+    arrival.carried += mass * (1 - momentumShare_);
+    arrival.mass += mass * momentumShare_;
+    arrival.momentum += toBullet(velocity * mass * momentumShare_);
+    if (mass > 0 && !velocity.isZero()) wake();
+    count(mass);
+}
+
+void AccountSupply::addFilm(std::size_t node, double mass) {
+    sheet_.moisture.addFilm(node, mass, account_);
+    sheet_.arrivals[node].carried += mass;
+    count(mass);
+}
+
+void AccountSupply::addPores(std::size_t node, double mass) {
+    sheet_.moisture.addPores(node, mass, account_);
+    sheet_.arrivals[node].carried += mass;
+    count(mass);
+}
+
+double AccountSupply::takeFilm(std::size_t node, double mass) {
+    const double taken = sheet_.moisture.takeFilm(node, mass, account_);
+    count(taken);
+    return taken;
+}
+
+double AccountSupply::takePores(std::size_t node, double mass) {
+    const double taken = sheet_.moisture.takePores(node, mass, account_);
+    count(taken);
+    return taken;
+}
+
+void AccountSupply::cover(std::size_t node, double share) {
+    sheet_.moisture.cover(node, share);
+}
+
+void AccountSupply::submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) {
+    if (node >= sheet_.moisture.size())
+        throw std::out_of_range("drench: node " + std::to_string(node) + " of a sheet with " +
+                                std::to_string(sheet_.moisture.size()) + " nodes; give 0 to " +
+                                std::to_string(sheet_.moisture.size() - 1));
+    if (!(std::abs(depth) <= 1e9))
+        throw std::invalid_argument("drench: node " + std::to_string(node) + " is " + std::to_string(depth) +
+                                    " m under water; give -1e9 to 1e9");
+    checkVelocity("around", node, velocity);
+    sheet_.submersion.submerge(node, depth, velocity);
+}
+
+void AccountSupply::count(double mass) {
+    unnoticed_ += mass;
+    if (unnoticed_ > noticeable_) wake();
+}
+
+void AccountSupply::wake() {
+    unnoticed_ = 0;
+    if (sheet_.watch.bodyIsAlive()) sheet_.body.activate();
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

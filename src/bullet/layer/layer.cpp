@@ -1,0 +1,391 @@
+#include "bullet/layer/layer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "bullet/bullet_solvers/contacts.h"
+#include "bullet/bullet_solvers/link_constants.h"
+#include "bullet/sheet/border_checks.h"
+#include "bullet/world/stop_watch.h"
+#include "bullet/world/vectors.h"
+#include "drench/drying.h"
+#include "drench/water.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+constexpr std::size_t mostDropsKept = 100000;
+
+double checkedWaterSpeed(const char* name, double waterSpeed) {
+    if (waterSpeed >= 0 && waterSpeed <= 1e5) return waterSpeed;
+    throw std::invalid_argument("drench: " + (name + (" is " + std::to_string(waterSpeed))) +
+                                "; give a value from 0 to 100000");
+}
+
+/// Of arriving water, the part that pushes the body: it is hit by the water of its own time only, however much more
+/// the sheet takes up meanwhile.
+double momentumShare(double waterSpeed) {
+    return std::min(1.0, 1 / waterSpeed);
+}
+
+RestShape checkedShape(const btCollisionWorld& world, const btSoftBody& body) {
+    checkBody(body);
+    RestShape shape = restShapeOf(body);
+    checkDuplicates(shape);
+    checkContacts(body, shape);
+    checkPlanes(world, body);
+    return shape;
+}
+
+void checkCount(const char* setting, std::size_t given, const char* parts, std::size_t wanted) {
+    if (given == wanted) return;
+    throw std::invalid_argument("drench: WetCloth: SheetSettings::" + std::string(setting) + " has " +
+                                std::to_string(given) + " material coordinates for " +
+                                std::to_string(wanted) + " " + parts + "; give as many, or none");
+}
+
+ClothMesh checkedMesh(const SheetSettings& settings, const btSoftBody& body, const RestShape& shape) {
+    ClothMesh mesh;
+    if (!settings.faceCoordinates.empty()) {
+        if (!settings.materialCoordinates.empty())
+            throw std::invalid_argument(
+                "drench: WetCloth: SheetSettings has materialCoordinates and faceCoordinates; give one of "
+                "them");
+        checkCount("faceCoordinates", settings.faceCoordinates.size(), "faces", shape.triangles.size());
+        mesh = {shape.nodeAreas, shape.triangles, settings.faceCoordinates};
+    } else if (!settings.materialCoordinates.empty()) {
+        checkCount("materialCoordinates", settings.materialCoordinates.size(), "nodes",
+                   shape.nodeAreas.size());
+        mesh = clothMesh(shape, settings.materialCoordinates);
+    } else {
+        mesh = clothMesh(shape, flattened(body));
+    }
+    checkShape(shape, mesh);
+    return mesh;
+}
+
+SheetMechanics checkedMechanics(const btCollisionWorld& world, const btSoftBody& body, const Fabric& fabric,
+                                const SheetSettings& settings) {
+    validate(fabric);
+    RestShape shape = checkedShape(world, body);
+    ClothMesh mesh = checkedMesh(settings, body, shape);
+    return {fabric, std::move(shape), std::move(mesh)};
+}
+
+}  // namespace
+
+WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const Fabric& aFabric,
+                       const SheetSettings& settings)
+    : world(checkedSoftWorld(aWorld)),
+      body(sheet),
+      stepping(settings.stepping),
+      waterSpeed(checkedWaterSpeed("SheetSettings::waterSpeed", settings.waterSpeed)),
+      troubles(settings.onTrouble),
+      fabric(aFabric),
+      mechanics(checkedMechanics(world, body, fabric, settings)),
+      mesh(mechanics.mesh),
+      coordinates(nodeCoordinates(mesh)),
+      totalArea(std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0)),
+      laws(fabric),
+      moisture(fabric, mesh),
+      // From here on nothing refuses, and the body may change.
+      watch(body, mechanics),
+      taken(body, mechanics),
+      shelter(world),
+      winds(mesh),
+      submersion(mesh.size()),
+      fluidForces(mechanics.shape, fabric),
+      application({moisture, arrivals, submersion, body, watch}, 0, 1, 0),
+      pose(mesh),
+      contacts(mesh.size()),
+      arrivals(mesh.size()) {
+    mechanics.evaluate(laws, moisture);
+    writeMasses(body, mechanics.masses);
+    body.updateLinkConstants();  // fit for the masses, until the first substep brings those of the fabric
+    if (isDeformable(world))
+        deformable = std::make_unique<DeformableSheet>(world, body, mechanics, dryMasses(),
+                                                       std::max(1.0, double(fabric.wetStretchRatio)),
+                                                       std::max(1.0, double(fabric.wetBendingRatio)));
+    pose.gather(body, mesh);
+    topology.follow(body);
+    if (stepping == Stepping::byWorld) listenToPreTick(world, *this);
+}
+
+WetCloth::Layer::~Layer() {
+    if (stepping == Stepping::byWorld) stopListeningToPreTick(world, *this);
+    stopAwaitingPostTick(world, *this);
+    const bool bodyIsAlive = watch.bodyIsAlive();
+    if (bodyIsAlive && topology.hasMoved(body)) {  // cut since the last substep
+        topology.follow(body);
+        keepFaceTree(body);
+    }
+    if (bodyIsAlive) taken.giveBack(body, dryMasses());
+    if (!deformable) return;
+    if (bodyIsAlive) deformable->giveBack(body);
+    deformable->end(bodyIsAlive ? &body : nullptr);
+}
+
+std::vector<double> WetCloth::Layer::dryMasses() const {
+    std::vector<double> masses;
+    for (const double area : mesh.areas) masses.push_back(laws.mass(area, 0));
+    return masses;
+}
+
+std::size_t WetCloth::Layer::checkedNode(int node) const {
+    if (node >= 0 && node < static_cast<int>(mesh.size())) return static_cast<std::size_t>(node);
+    throw std::out_of_range("drench: node " + std::to_string(node) + " of a sheet with " +
+                            std::to_string(mesh.size()) + " nodes; give 0 to " +
+                            std::to_string(mesh.size() - 1));
+}
+
+/// Water on each node, kg, where every part of the cloth gets the same, kg/m2.
+std::vector<double> WetCloth::Layer::spread(double massPerArea) const {
+    if (!(massPerArea >= 0 && massPerArea <= 1e3))
+        throw std::invalid_argument("drench: soaking with " + std::to_string(massPerArea) +
+                                    " kg/m2; give a value from 0 to 1000");
+    std::vector<double> spreadMasses;
+    for (const double area : mesh.areas) spreadMasses.push_back(massPerArea * area);
+    return spreadMasses;
+}
+
+bool WetCloth::Layer::isInWorld() const {
+    if (!watch.bodyIsAlive()) return false;
+    const auto& bodies = softBodiesOf(world);
+    return bodies.findLinearSearch(&body) != bodies.size();
+}
+
+SheetPose WetCloth::Layer::sheetPose() const {
+    return {mesh,
+            pose.positions,
+            pose.velocities,
+            pose.trianglesAround,
+            moisture.poreMass(),
+            moisture.filmMass(),
+            moisture.poreCapacityPerArea(),
+            moisture.wettingTime(),
+            pose.up,
+            pose.gravity,
+            totalArea,
+            shelter,
+            &body,
+            fluidForces.floatingShare()};
+}
+
+void WetCloth::Layer::add(std::unique_ptr<Source> source) {
+    if (!source) throw std::invalid_argument("drench: there is no source to add; give one");
+    if (watch.bodyIsAlive()) {
+        // A source checks its settings at every step; at one of no length it does nothing else.
+        if (fits()) {
+            pose.gather(body, mesh);
+            pose.gatherMotion(body);
+        }
+        NoSupply trial;
+        source->supply(sheetPose(), 0, trial);
+    }
+    const std::size_t number = moisture.openAccount(source->name());
+    // Cloth that floats may go to sleep, while its last pores fill ever more slowly, and wakes as it gets heavier.
+    const double noticeable = 1e-3 * laws.mass(totalArea, 0);
+    auto supply =
+        std::make_unique<AccountSupply>(AccountSupply::Sheet{moisture, arrivals, submersion, body, watch},
+                                        number, momentumShare(waterSpeed), noticeable);
+    suppliers.push_back({std::move(source), std::move(supply)});
+}
+
+void WetCloth::Layer::remove(const Source& source) {
+    for (Supplier& supplier : suppliers) {
+        if (supplier.source.get() != &source) continue;
+        removed.push_back(std::move(supplier));
+        if (!supplying) forgetRemoved();
+        return;
+    }
+    throw std::invalid_argument("drench: the source to remove is not one of this WetCloth's");
+}
+
+void WetCloth::Layer::setWaterSpeed(double speed) {
+    waterSpeed = checkedWaterSpeed("the water speed", speed);
+    for (Supplier& supplier : suppliers) supplier.supply->setMomentumShare(momentumShare(speed));
+}
+
+void WetCloth::Layer::forgetRemoved() {
+    suppliers.erase(std::remove_if(suppliers.begin(), suppliers.end(),
+                                   [](const Supplier& supplier) { return !supplier.source; }),
+                    suppliers.end());
+    removed.clear();
+}
+
+Supply& WetCloth::Layer::account(const std::string& name) {
+    for (NamedAccount& known : accounts)
+        if (known.name == name) return known.supply;
+    const std::size_t number = moisture.openAccount(name);
+    accounts.push_back({name, AccountSupply({moisture, arrivals, submersion, body, watch}, number, 1, 0)});
+    return accounts.back().supply;
+}
+
+void WetCloth::Layer::preTick(btScalar dt) {
+    if (!isInWorld()) return;
+    if (objectsChecked != world.getNumCollisionObjects()) checkPlanes(world, body);
+    objectsChecked = world.getNumCollisionObjects();
+    substep(dt);
+}
+
+void WetCloth::Layer::substep(btScalar dt) {
+    if (!(dt > 0) || !std::isfinite(dt))
+        throw std::invalid_argument("drench: a substep of " + std::to_string(dt) +
+                                    " s; give a positive finite time");
+    troubles.begin(time, mechanics.times.substeps);
+    if (!fitToBody()) {
+        time += bodyStepOf(dt);
+        ++mechanics.times.substeps;
+        return;
+    }
+    checkBeforeStep(dt);
+    keepPrimed(body, mechanics.shape);
+    taken.silenceAero(body);
+    const double bodyStep = bodyStepOf(dt);
+    time += bodyStep;
+
+    surroundings.heights = pose.heights;
+    StopWatch watchOfStages;
+    supply(bodyStep * waterSpeed);
+    mechanics.times.supply += watchOfStages.lap();
+    touchSolids();
+    moveWater(bodyStep * waterSpeed);
+    collectDrops();
+    mechanics.times.water += watchOfStages.lap();
+    takeUpMomentum(body, mechanics.masses, arrivals);
+    writeBack(bodyStep);
+    mechanics.times.laws += watchOfStages.lap();
+    pushByFluid(bodyStep);
+    mechanics.times.air += watchOfStages.lap();
+    if (deformable) deformable->write(body);
+    ++mechanics.times.substeps;
+    awaitPostTick(world, *this);
+}
+
+void WetCloth::Layer::postTick(btScalar dt) {
+    if (!isInWorld()) return;
+    if (topology.hasMoved(body)) {  // as the application has cut the cloth since the substep began
+        topology.follow(body);
+        keepFaceTree(body);
+    }
+    if (!body.isActive() || !fits()) return;
+    StopWatch watchOfContacts;
+    using Mover = ClothContacts::Mover;
+    if (deformable) {
+        const bool implicit = deformableModeOf(world).implicit;
+        clothContacts.solve(world, body, mechanics.grip,
+                            implicit ? Mover::implicitWorld : Mover::explicitWorld, double(dt));
+        deformableContacts.rewrite(world, body, mechanics.grip, dt, implicit);
+    } else if (!mechanics.movedBySmallSteps) {
+        clothContacts.solve(world, body, mechanics.grip, Mover::stockSolver, double(body.m_sst.sdt));
+        stockContacts.rewrite(world, body, mechanics.grip);
+    }
+    mechanics.times.contacts += watchOfContacts.lap();
+}
+
+/// The deformable world knows no timescale.
+double WetCloth::Layer::bodyStepOf(btScalar dt) const {
+    return deformable ? double(dt) : double(dt) * double(body.m_cfg.timescale);
+}
+
+void WetCloth::Layer::supply(double waterTime) {
+    if (suppliers.empty()) return;
+    pose.gatherMotion(body);
+    const SheetPose sheet = sheetPose();
+    // A source may remove itself or others, and add some, whose turn comes in the next step.
+    struct Supplying {
+        explicit Supplying(Layer& itsLayer) : layer(itsLayer) { layer.supplying = true; }
+        ~Supplying() {
+            layer.supplying = false;
+            layer.forgetRemoved();
+        }
+        Supplying(const Supplying&) = delete;
+        Supplying& operator=(const Supplying&) = delete;
+        Layer& layer;
+    } during(*this);
+    const std::size_t count = suppliers.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Source* const source = suppliers[i].source.get();
+        if (!source) continue;
+        try {
+            source->supply(sheet, waterTime, *suppliers[i].supply);
+        } catch (const std::exception& problem) {
+            troubles.noteThrown(Trouble::source, "the source \"" + source->name() + "\": " + problem.what());
+        }
+    }
+}
+
+/// A face on a solid thing does not dry, and nothing drips through it. Bullet's contacts come and go from
+/// step to step, so one counts for a while.
+void WetCloth::Layer::touchSolids() {
+    constexpr double lasting = 0.1;  // s
+    constexpr double fromBelow = 0.5;
+    const btVector3 upwards = toBullet(pose.up);
+    forEachSolidContact(body, [&](const btSoftBody::Node* node, const btSoftBody::sCti& found) {
+        Contact& contact = contacts[static_cast<std::size_t>(indexOf(body, node))];
+        touchedUntil = contact.touchesUntil = time + lasting;
+        if (double(found.m_normal.dot(upwards)) > fromBelow) contact.liesUntil = time + lasting;
+    });
+    if (touchedUntil < time) return;
+    constexpr double oneFace = 0.5;
+    for (std::size_t n = 0; n < contacts.size(); ++n) {
+        if (contacts[n].touchesUntil < time || !(mesh.areas[n] > 0)) continue;
+        moisture.cover(n, oneFace);
+        if (contacts[n].liesUntil >= time) moisture.layDown(n);
+    }
+}
+
+void WetCloth::Layer::moveWater(double waterTime) {
+    // The rate below the bound maximum divides by 1 - humidity, and in saturated air stays what it is just before.
+    constexpr double dampest = 0.999;
+    Air around = usedAir;
+    around.humidity = std::min(around.humidity, dampest);
+    const double speed = std::min((winds.mean() - pose.meanVelocity).norm(), 100.0);
+    const double length = std::clamp(std::sqrt(totalArea), 1e-3, 100.0);
+    surroundings.gravity = pose.gravity;
+    surroundings.humidity = around.humidity;
+    surroundings.dryingRate = around.vapourExchange > 0 ? evaporation(around, speed, length).rate : 0.0;
+    moisture.step(waterTime, surroundings);
+}
+
+void WetCloth::Layer::collectDrops() {
+    for (const Moisture::Shed& shed : moisture.shed()) {
+        const btSoftBody::Node& node = body.m_nodes[static_cast<int>(shed.node)];
+        drops.push_back(
+            {toEigen(node.m_x), toEigen(node.m_v), dropMass, shed.drops, time, static_cast<int>(shed.node)});
+        if (drops.size() > mostDropsKept) drops.pop_front();
+    }
+}
+
+void WetCloth::Layer::writeBack(double bodyStep) {
+    mechanics.evaluate(laws, moisture);
+    writeMasses(body, mechanics.masses);
+    if (deformable) return;
+    // A SmallStepSolver reads the mechanics itself; Bullet's takes them from the links.
+    if (!std::exchange(mechanics.movedBySmallSteps, false)) {
+        writeLinkConstants(body, mechanics, bodyStep);
+        mechanics.smallSteps = 0;
+    }
+}
+
+/// Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
+void WetCloth::Layer::pushByFluid(double bodyStep) {
+    const FluidForces::Around around = {laws,    winds.velocities(), submersion, moisture, mechanics, pose,
+                                        bodyStep};
+    if (!body.isActive() && fluidForces.isLiftedOtherwise(around)) body.activate();
+    if (!body.isActive())
+        fluidForces.rest();
+    else if (deformable)
+        fluidForces.push(body, around);
+    else
+        fluidForces.add(body, around);
+    submersion.forget();
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

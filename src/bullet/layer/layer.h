@@ -1,0 +1,177 @@
+// Everything behind a WetCloth.
+#pragma once
+
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <BulletSoftBody/btSoftBody.h>
+
+#include <Eigen/Core>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bullet/bullet_solvers/cloth_contacts.h"
+#include "bullet/bullet_solvers/deformable_contacts.h"
+#include "bullet/bullet_solvers/deformable_sheet.h"
+#include "bullet/bullet_solvers/stock_contacts.h"
+#include "bullet/fluid/fluid_forces.h"
+#include "bullet/fluid/rigid_shelter.h"
+#include "bullet/fluid/submersion.h"
+#include "bullet/fluid/wind_at_nodes.h"
+#include "bullet/layer/account_supply.h"
+#include "bullet/layer/taken_over.h"
+#include "bullet/repair/topology_watch.h"
+#include "bullet/repair/troubles.h"
+#include "bullet/sheet/node_masses.h"
+#include "bullet/sheet/pose.h"
+#include "bullet/sheet/sheet_mechanics.h"
+#include "bullet/world/body_watch.h"
+#include "bullet/world/post_tick.h"
+#include "bullet/world/pre_tick.h"
+#include "drench/drop.h"
+#include "drench/moisture.h"
+#include "drench/snapshot.h"
+#include "drench/source.h"
+#include "drench/wet_cloth.h"
+#include "drench/wet_laws.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+class BulletPass;
+
+/// One sheet in one world, in the order of the step.
+struct WetCloth::Layer final : PreTickListener, PostTickListener {
+    Layer(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
+          const SheetSettings& settings);
+    ~Layer();
+    Layer(const Layer&) = delete;
+    Layer& operator=(const Layer&) = delete;
+
+    /// A source and the account that it works in; none once it was removed within the step.
+    struct Supplier {
+        std::unique_ptr<Source> source;
+        std::unique_ptr<AccountSupply> supply;
+    };
+    /// An account that the application works in.
+    struct NamedAccount {
+        std::string name;
+        AccountSupply supply;
+    };
+
+    /// When a node last counts as touching something solid, and as lying on it, by `time`.
+    struct Contact {
+        double touchesUntil = -1;
+        double liesUntil = -1;
+    };
+
+    std::size_t checkedNode(int node) const;
+    std::vector<double> dryMasses() const;
+    std::vector<double> spread(double massPerArea) const;
+    void add(std::unique_ptr<Source> source);
+    void remove(const Source& source);
+    void forgetRemoved();
+    Supply& account(const std::string& name);
+    SheetPose sheetPose() const;
+    /// Whether the body exists and is in the world.
+    bool isInWorld() const;
+
+    void preTick(btScalar dt) override;
+    void postTick(btScalar dt) override;
+    void substep(btScalar dt);
+    void checkBeforeStep(btScalar dt);
+    /// Whether the body is the cloth that this knows, as it is made to be if it can.
+    bool fitToBody();
+    void refit();
+    void mendStranger();
+    void leaveToBullet();
+    /// Whether the body can have been changed since the last substep; looks at counts only.
+    bool fits() const;
+    void mendBody();
+    void reportHeldSubsteps();
+    void readAir(double bodyStep);
+    double bodyStepOf(btScalar dt) const;
+    void setWaterSpeed(double speed);
+    void supply(double waterTime);
+    void touchSolids();
+    void moveWater(double waterTime);
+    void collectDrops();
+    void writeBack(double bodyStep);
+    void pushByFluid(double bodyStep);
+
+    // What it keeps from step to step; see layer_state.cpp.
+    Snapshot snapshot();
+    void restore(const Snapshot& snapshot);
+    void checkBetweenSteps() const;
+    void checkSameSheet(const Snapshot& snapshot) const;
+    std::uint64_t topologyHash() const;
+    /// Calls `each(name, function)` for each section of a snapshot but the last, that of the sources.
+    template <typename Each>
+    void forEachSection(Each each);
+    void checkSections(const Snapshot& snapshot);
+    void restoreSections(const Snapshot& snapshot);
+    void clothState(BulletPass& pass);
+    void bodyState(BulletPass& pass);
+    void waterState(BulletPass& pass);
+    void mechanicsState(BulletPass& pass);
+    void touchState(BulletPass& pass);
+    void airState(BulletPass& pass);
+    void momentState(BulletPass& pass);
+    void saveSources(StateWriter& writer) const;
+    void checkSources(StateReader reader) const;
+    void loadSources(StateReader reader);
+    void restoreUnnoticed(StateReader reader);
+
+    btDiscreteDynamicsWorld& world;  // known to exist during its own pre-tick only
+    btSoftBody& body;                // exists while the watch says so
+    const Stepping stepping;
+    double waterSpeed;
+    Troubles troubles;
+    int objectsChecked = 0;  // collision objects in the world when it was last looked through for planes
+    Air air;
+    Air usedAir;                                 // the last that was in range
+    btVector3 usedGravity = btVector3(0, 0, 0);  // the last that was, m/s2
+
+    const Fabric fabric;
+    SheetMechanics mechanics;
+    const ClothMesh& mesh;
+    std::vector<Eigen::Vector2d> coordinates;  // of the nodes
+    double totalArea;                          // m2
+    WetLaws laws;
+    Moisture moisture;
+    BodyWatch watch;
+    TopologyWatch topology;
+    TakenOver taken;
+    RigidShelter shelter;
+    WindAtNodes winds;
+    Submersion submersion;  // of this substep, or since the last one
+    FluidForces fluidForces;
+    std::unique_ptr<DeformableSheet> deformable;  // where the world is deformable; else none
+    StockContacts stockContacts;
+    DeformableContacts deformableContacts;
+    ClothContacts clothContacts;
+
+    AccountSupply application;  // for water that the application adds itself
+    std::vector<Supplier> suppliers;
+    std::vector<Supplier> removed;      // within the step, whose end they live to see
+    bool supplying = false;             // within the step, while sources bring their water
+    std::deque<NamedAccount> accounts;  // stay where they are
+    Pose pose;
+    Surroundings surroundings;
+    static constexpr std::size_t mostDropsKept = 100000;
+    std::deque<Drop> drops;  // that nobody has taken yet
+    double time = 0;         // of the body, since the layer was made, s
+
+    std::vector<Contact> contacts;  // of each node
+    double touchedUntil = -1;       // by which the last of them ends
+
+    std::vector<Arrival> arrivals;   // since the last substep
+    int heldSubsteps = 0;            // that have been reported
+    int refits = 0;                  // to a body that was cut
+    PartCounts refused = {0, 0, 0};  // of the body that could not be followed last
+    std::string whyRefused;
+    std::vector<btVector3> strangersPlaces;  // of its nodes, m
+};
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

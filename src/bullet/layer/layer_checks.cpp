@@ -1,0 +1,168 @@
+// What a layer looks after before each substep: that the body is its cloth, and that all it reads can be calculated with.
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "bullet/layer/layer.h"
+#include "bullet/repair/mending.h"
+#include "bullet/repair/recut.h"
+#include "bullet/world/stop_watch.h"
+#include "bullet/world/vectors.h"
+#include "drench/drying.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+/// Whether each node has cloth, or a link to one that has.
+std::vector<bool> areHeld(const RestShape& shape) {
+    std::vector<bool> held;
+    for (const double area : shape.nodeAreas) held.push_back(area > 0);
+    for (const LinkNodes& link : shape.links)
+        for (std::size_t end = 0; end < 2; ++end)
+            if (shape.nodeAreas[static_cast<std::size_t>(link.nodes[1 - end])] > 0)
+                held[static_cast<std::size_t>(link.nodes[end])] = true;
+    return held;
+}
+
+/// Makes a body that was cut one that Bullet can step as the cloth that it is.
+void writeCut(btSoftBody& body, const SheetMechanics& mechanics, std::size_t oldNodes) {
+    forgetContacts(body);
+    double mass = 0;
+    for (const double nodeMass : mechanics.masses) mass += nodeMass / double(mechanics.masses.size());
+    // Bullet's new nodes are of 1 kg; a loose end without cloth weighs as much as others. What hangs on nothing, as
+    // Bullet leaves it behind, would fall for good, and stays.
+    const std::vector<bool> held = areHeld(mechanics.shape);
+    for (std::size_t n = oldNodes; n < mechanics.masses.size(); ++n) {
+        btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        if (node.m_im > 0) node.m_im = held[n] ? btScalar(1 / mass) : 0;
+        if (!held[n]) node.m_v.setZero();
+    }
+    writeMasses(body, mechanics.masses);
+    for (int f = 0; f < body.m_faces.size(); ++f)
+        body.m_faces[f].m_ra = btScalar(2 * mechanics.shape.triangleAreas[static_cast<std::size_t>(f)]);
+    writeRestLengths(body, mechanics.shape);
+    body.m_bUpdateRtCst = false;
+    body.updateLinkConstants();
+}
+
+}  // namespace
+
+bool WetCloth::Layer::fits() const {
+    return mechanics.fits && hasCountsOf(body, mechanics.shape);
+}
+
+bool WetCloth::Layer::fitToBody() {
+    topology.follow(body);
+    if (mechanics.fits && topology.isAsItWas(body, mechanics.shape)) return true;
+    mendStranger();
+    // Whether it can be followed is looked at once, as that takes a while.
+    if (mechanics.fits || refused != countsOf(body)) try {
+            refused = countsOf(body);
+            refit();
+            return true;
+        } catch (const std::invalid_argument& problem) {
+            whyRefused = problem.what();
+        }
+    troubles.note(
+        Trouble::topology,
+        "the body's nodes, links or faces have changed to what the WetCloth cannot follow (" + whyRefused +
+            "); append and cut so that old nodes keep their index and faces have an area, or destroy the "
+            "WetCloth before the change and make another after");
+    leaveToBullet();
+    return false;
+}
+
+/// What can be mended of a body whatever it has become.
+void WetCloth::Layer::mendStranger() {
+    mendSettings(body, troubles);
+    mendGravity(body, usedGravity, troubles);
+    if (mechanics.fits) strangersPlaces = pose.placesInWorld();
+    mendNodes(body, strangersPlaces, {}, troubles);
+    strangersPlaces = placesOf(body);
+}
+
+void WetCloth::Layer::leaveToBullet() {
+    mechanics.fits = mechanics.movedBySmallSteps = false;
+    prime(body);
+    keepFaceTree(body);
+}
+
+/// All that is known of each node, link and face anew; what belongs to the sheet as a whole goes on.
+void WetCloth::Layer::refit() {
+    Recut cut = recutOf(body, mechanics.shape, mesh, moisture);
+    const std::vector<double> oldAreas = mesh.areas;
+    // From here on nothing refuses.
+    moisture.recut(fabric, cut.mesh, std::move(cut.poreMass), std::move(cut.filmMass));
+    mechanics.recut(fabric, std::move(cut.shape), std::move(cut.mesh));
+    taken.recut(body, mechanics, oldAreas, dryMasses());
+    coordinates = nodeCoordinates(mesh);
+    totalArea = std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0);
+    winds = WindAtNodes(mesh);
+    submersion = Submersion(mesh.size());
+    fluidForces = FluidForces(mechanics.shape, fabric);
+    pose = Pose(mesh);
+    contacts.resize(mesh.size());
+    arrivals.resize(mesh.size());
+    mechanics.evaluate(laws, moisture);
+    writeCut(body, mechanics, oldAreas.size());
+    if (deformable)
+        deformable->recut(world, body, mechanics, dryMasses(), std::max(1.0, double(fabric.wetStretchRatio)),
+                          std::max(1.0, double(fabric.wetBendingRatio)));
+    topology.follow(body);
+    ++refits;
+}
+
+void WetCloth::Layer::checkBeforeStep(btScalar dt) {
+    // What the application has set up wrongly, which nobody but it can put right.
+    if (deformable) deformable->check(world, double(dt));
+    mendBody();
+    reportHeldSubsteps();
+    // The last, as shelter lasts from step to step.
+    readAir(bodyStepOf(dt));
+}
+
+void WetCloth::Layer::mendBody() {
+    mendSettings(body, troubles);
+    mendRestLengthScale(body, mechanics.shape, troubles);
+    mendGravity(body, usedGravity, troubles);
+    usedGravity = body.m_worldInfo->m_gravity;
+    if (pose.gather(body, mesh)) return;
+    mendNodes(body, pose.placesInWorld(), mechanics.masses, troubles);
+    pose.gather(body, mesh);
+}
+
+void WetCloth::Layer::reportHeldSubsteps() {
+    if (std::exchange(heldSubsteps, mechanics.heldSubsteps) == mechanics.heldSubsteps) return;
+    troubles.note(Trouble::motion,
+                  "the small steps of the last substep took node " + std::to_string(mechanics.heldNode) +
+                      " to a place that is not finite, or over 1e7 m off, so the sheet stayed where it was, "
+                      "at rest; look for forces, "
+                      "speeds or obstacles beyond all measure",
+                  mechanics.heldNode);
+}
+
+void WetCloth::Layer::readAir(double bodyStep) {
+    StopWatch watchOfWind;
+    try {
+        if (!air.wind.allFinite())
+            throw std::runtime_error("drench: the wind is not finite; mend WetCloth::air().wind");
+        validate(air);
+        usedAir = air;
+    } catch (const std::exception& problem) {
+        troubles.noteThrown(Trouble::air, problem.what());
+    }
+    try {
+        winds.evaluate(usedAir, {pose, toEigen(pose.origin), time, bodyStep, world});
+    } catch (const std::exception& problem) {
+        troubles.noteThrown(Trouble::air, problem.what());
+    }
+    mechanics.times.air += watchOfWind.lap();
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,187 @@
+#include "bullet/repair/mending.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+constexpr auto unlimited = std::numeric_limits<btScalar>::max();
+
+template <typename... Parts>
+std::string text(const Parts&... parts) {
+    std::ostringstream stream;
+    (stream << ... << parts);
+    return stream.str();
+}
+
+/// A setting of a body, its range, and what Bullet gives new bodies.
+struct Setting {
+    const char* name;
+    btScalar btSoftBody::Config::*value;
+    btScalar least, most;
+    btScalar standard;
+};
+
+constexpr btScalar shortestScale = btScalar(1e-6), longestScale = btScalar(1e6);
+
+using Config = btSoftBody::Config;
+constexpr Setting settings[] = {
+    {"timescale", &Config::timescale, shortestScale, longestScale, 1},
+    {"kDP", &Config::kDP, 0, unlimited, 0},
+    {"kPR", &Config::kPR, -unlimited, unlimited, 0},
+    {"kVC", &Config::kVC, -unlimited, unlimited, 0},
+    {"kDF", &Config::kDF, -unlimited, unlimited, btScalar(0.2)},
+    {"kMT", &Config::kMT, -unlimited, unlimited, 0},
+    {"kVCF", &Config::kVCF, -unlimited, unlimited, 1},
+    {"kCHR", &Config::kCHR, -unlimited, unlimited, 1},
+    {"kKHR", &Config::kKHR, -unlimited, unlimited, btScalar(0.1)},
+    {"kSHR", &Config::kSHR, -unlimited, unlimited, 1},
+    {"kAHR", &Config::kAHR, -unlimited, unlimited, btScalar(0.7)},
+    {"maxvolume", &Config::maxvolume, -unlimited, unlimited, 1},
+    {"drag", &Config::drag, -unlimited, unlimited, 0},
+};
+
+/// The first component that is no number or larger than `most`; 0 if there is none.
+double excess(const btVector3& v, double most) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(std::abs(double(v[axis])) <= most)) return double(v[axis]);
+    return 0;
+}
+
+bool isOff(double value) {
+    return value != 0;  // as NaN is, too
+}
+
+class NodeMender {
+  public:
+    NodeMender(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
+               Troubles& troubles)
+        : body_(body), lastGood_(lastGood), masses_(masses), troubles_(troubles) {}
+
+    void mend(int n) {
+        btSoftBody::Node& node = body_.m_nodes[n];
+        if (const double off = excess(node.m_x, farthestPlace); isOff(off)) mendPlace(n, off);
+        if (const double off = excess(node.m_v, fastestNode); isOff(off)) {
+            troubles_.note(Trouble::velocity,
+                           text("node ", n, " has a velocity of ", off,
+                                " m/s along an axis; what gave it to it should give a finite one, up to ",
+                                fastestNode, " m/s"),
+                           n, off);
+            node.m_v.setZero();
+        }
+        if (const double off = excess(node.m_f, double(unlimited)); isOff(off)) {
+            troubles_.note(Trouble::force,
+                           text("node ", n, " has a force of ", off,
+                                " N along an axis; what adds to its m_f should add finite forces"),
+                           n, off);
+            node.m_f.setZero();
+        }
+        if (!(node.m_im >= 0 && node.m_im <= unlimited)) mendMass(n);
+    }
+
+  private:
+    void mendPlace(int n, double off) {
+        btSoftBody::Node& node = body_.m_nodes[n];
+        troubles_.note(
+            Trouble::position,
+            text("node ", n, " is at ", off,
+                 " m along an axis; a force, an obstacle or a setting has blown the sheet up in the "
+                 "substep before"),
+            n, off);
+        node.m_x = node.m_q = lastPlaceOf(n);
+        node.m_v.setZero();
+        const btScalar margin = body_.getCollisionShape()->getMargin();
+        ATTRIBUTE_ALIGNED16(btDbvtVolume) volume = btDbvtVolume::FromCR(node.m_x, margin);
+        if (node.m_leaf) body_.m_ndbvt.update(node.m_leaf, volume);
+    }
+
+    btVector3 lastPlaceOf(int n) const {
+        const auto at = static_cast<std::size_t>(n);
+        if (at < lastGood_.size()) return lastGood_[at];
+        const btSoftBody::Node* const node = &body_.m_nodes[n];
+        for (int i = 0; i < body_.m_links.size(); ++i)
+            for (int end = 0; end < 2; ++end) {
+                const btSoftBody::Node& other = *body_.m_links[i].m_n[1 - end];
+                if (body_.m_links[i].m_n[end] == node && !isOff(excess(other.m_x, farthestPlace)))
+                    return other.m_x;
+            }
+        return lastGood_.empty() ? btVector3(0, 0, 0) : lastGood_[0];
+    }
+
+    void mendMass(int n) {
+        btSoftBody::Node& node = body_.m_nodes[n];
+        const auto at = static_cast<std::size_t>(n);
+        const double off = double(node.m_im), mass = at < masses_.size() ? masses_[at] : 0;
+        troubles_.note(Trouble::mass,
+                       text("node ", n, " has an inverse mass of ", off,
+                            " /kg; leave masses to Drench, and set "
+                            "m_im = 0 for a pin"),
+                       n, off);
+        node.m_im = mass > 0 ? btScalar(1 / mass) : 0;
+    }
+
+    btSoftBody& body_;
+    const std::vector<btVector3>& lastGood_;
+    const std::vector<double>& masses_;
+    Troubles& troubles_;
+};
+
+}  // namespace
+
+void mendSettings(btSoftBody& body, Troubles& troubles) {
+    for (const Setting& setting : settings) {
+        btScalar& value = body.m_cfg.*setting.value;
+        if (value >= setting.least && value <= setting.most) continue;
+        troubles.note(Trouble::bodySetting,
+                      text("the body's m_cfg.", setting.name, " is ", value, "; give ",
+                           setting.least > 0 ? "a positive finite number (to pause a sheet, do not step it)"
+                           : setting.least == 0 ? "a finite number of at least 0"
+                                                : "a finite number",
+                           ", as Bullet does with ", setting.standard),
+                      -1, double(value));
+        value = setting.standard;
+    }
+}
+
+void mendRestLengthScale(btSoftBody& body, const RestShape& shape, Troubles& troubles) {
+    if (body.m_restLengthScale >= shortestScale && body.m_restLengthScale <= longestScale) return;
+    troubles.note(Trouble::bodySetting,
+                  text("the body's rest length scale is ", body.m_restLengthScale,
+                       "; give setRestLengthScale a positive finite number, 1 for the cloth as it is"),
+                  -1, double(body.m_restLengthScale));
+    body.m_restLengthScale = 1;
+    writeRestLengths(body, shape);
+}
+
+void mendGravity(btSoftBody& body, const btVector3& lastGood, Troubles& troubles) {
+    btVector3& gravity = body.m_worldInfo->m_gravity;
+    const double strength = std::hypot(double(gravity.x()), double(gravity.y()), double(gravity.z()));
+    if (strength <= strongestGravity) return;
+    troubles.note(Trouble::gravity,
+                  text("the gravity of the body's world info is ", strength,
+                       " m/s2; give a finite one, at most 10000, in getWorldInfo()->m_gravity"),
+                  -1, strength);
+    gravity = lastGood;
+}
+
+void mendNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
+               Troubles& troubles) {
+    NodeMender mender(body, lastGood, masses, troubles);
+    for (int n = 0; n < body.m_nodes.size(); ++n) mender.mend(n);
+}
+
+std::vector<btVector3> placesOf(const btSoftBody& body) {
+    std::vector<btVector3> places;
+    places.reserve(static_cast<std::size_t>(body.m_nodes.size()));
+    for (int n = 0; n < body.m_nodes.size(); ++n) places.push_back(body.m_nodes[n].m_x);
+    return places;
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,39 @@
+// Puts right what an application, its forces or Bullet have left of a body that nobody can calculate with.
+#pragma once
+
+#include <BulletSoftBody/btSoftBody.h>
+
+#include <vector>
+
+#include "bullet/repair/troubles.h"
+#include "bullet/sheet/rest_shape.h"
+#include "drench/precision.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+// What a sheet may have at most; beyond that single precision, and Bullet's trees, come to no good.
+constexpr double farthestPlace = 1e7;  // m, along an axis; Bullet counts the voxels up to there with an int
+constexpr double fastestNode = 1e6;    // m/s, along an axis
+constexpr double strongestGravity = 1e4;  // m/s2
+
+/// Mends the settings of m_cfg: those that are out of range get Bullet's default.
+void mendSettings(btSoftBody& body, Troubles& troubles);
+
+/// The same for the rest length scale. @pre the body is of that shape
+void mendRestLengthScale(btSoftBody& body, const RestShape& shape, Troubles& troubles);
+
+/// Mends the gravity of the body's world info. @param lastGood  what it becomes, m/s2
+void mendGravity(btSoftBody& body, const btVector3& lastGood, Troubles& troubles);
+
+/// Mends positions, velocities, forces and inverse masses.
+/// @param lastGood  of each node the last good place, m; a node beyond these goes where one is that it is linked to
+/// @param masses    of each node, kg; one beyond these becomes a pin
+void mendNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
+               Troubles& troubles);
+
+/// Where the nodes of a body are, m.
+std::vector<btVector3> placesOf(const btSoftBody& body);
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,39 @@
+#include "bullet/repair/troubles.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+void Troubles::note(Trouble what, const std::string& message, int node, double value) {
+    if (throws()) throw std::runtime_error("drench: " + message);
+    write(what, message, node, value);
+}
+
+void Troubles::noteThrown(Trouble what, const std::string& message) {
+    if (throws()) throw;
+    write(what, message, -1, 0);
+}
+
+void Troubles::write(Trouble what, const std::string& message, int node, double value) {
+    auto report = std::find_if(reports_.begin(), reports_.end(),
+                               [what](const TroubleReport& known) { return known.what == what; });
+    if (report == reports_.end()) {
+        reports_.push_back({what, {}, -1, 0, time_, time_, substep_, substep_, 0});
+        report = reports_.end() - 1;
+    }
+    // Of several in one substep, such as all nodes at once, the first is the one to read of.
+    if (report->substeps > 0 && report->lastSubstep == substep_) return;
+    const std::string prefix = "drench: ";  // of what is thrown
+    report->message =
+        message.compare(0, prefix.size(), prefix) == 0 ? message.substr(prefix.size()) : message;
+    report->node = node;
+    report->value = value;
+    report->last = time_;
+    report->lastSubstep = substep_;
+    ++report->substeps;
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,51 @@
+#include "bullet/sheet/sheet_mechanics.h"
+
+#include <utility>
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+SheetMechanics::SheetMechanics(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh)
+    : shape(std::move(restShape)),
+      mesh(std::move(clothMesh)),
+      stretch(0.5 * (fabric.stretchWarp + fabric.stretchWeft)),
+      bending(fabric.bending),
+      bendingFriction(fabric.bendingFriction),
+      dryStiffness(linkStiffness(fabric, mesh, shape.links)),
+      grip(fabric, mesh),
+      masses(shape.nodeAreas.size()),
+      saturations(shape.nodeAreas.size()),
+      stretchRatios(shape.nodeAreas.size()),
+      bendingRatios(shape.nodeAreas.size()),
+      bendingFrictionRatios(shape.nodeAreas.size()) {}
+
+void SheetMechanics::recut(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh) {
+    SheetMechanics cut(fabric, std::move(restShape), std::move(clothMesh));
+    cut.grip.takeOver(grip);
+    cut.smallSteps = smallSteps;
+    cut.heldSubsteps = heldSubsteps;
+    cut.times = times;
+    *this = std::move(cut);
+}
+
+void SheetMechanics::evaluate(const WetLaws& laws, const Moisture& moisture) {
+    grip.evaluate(laws, moisture);
+    for (std::size_t n = 0; n < masses.size(); ++n) {
+        masses[n] = laws.mass(shape.nodeAreas[n], moisture.poreMass()[n] + moisture.filmMass()[n]);
+        saturations[n] = moisture.saturation(n);
+        const double content = moisture.content(n);
+        stretchRatios[n] = laws.stretchRatio(content);
+        bendingRatios[n] = laws.bendingRatio(content);
+        bendingFrictionRatios[n] = laws.bendingFrictionRatio(content);
+    }
+}
+
+double SheetMechanics::stiffness(std::size_t link) const {
+    const auto a = static_cast<std::size_t>(shape.links[link].nodes[0]);
+    const auto b = static_cast<std::size_t>(shape.links[link].nodes[1]);
+    const auto& ratios = dryStiffness[link].kind == LinkKind::bending ? bendingRatios : stretchRatios;
+    return dryStiffness[link].dry * 0.5 * (ratios[a] + ratios[b]);
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,49 @@
+#include "bullet/small_steps/sheet_anchors.h"
+
+#include "bullet/sheet/rest_shape.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+void SheetAnchors::find(const btSoftBody& body, Solids& solids) {
+    ties_.clear();
+    for (int i = 0; i < body.m_anchors.size(); ++i) {
+        const btSoftBody::Anchor& anchor = body.m_anchors[i];
+        ties_.push_back({solids.indexOf(*anchor.m_body),
+                         i,
+                         indexOf(body, anchor.m_node),
+                         {0, 0, 0},
+                         {0, 0, 0},
+                         anchor.m_influence});
+    }
+}
+
+void SheetAnchors::begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids) {
+    for (Tie& tie : ties_) {
+        const btTransform& end = solids[tie.solid].end();
+        const btVector3 arm = end.getBasis() * body.m_anchors[tie.anchor].m_local;
+        tie.from = end.getOrigin() + arm - sheet.startPlace(static_cast<std::size_t>(tie.node));
+        tie.arm = solids[tie.solid].middle(arm);
+        const auto node = static_cast<std::size_t>(tie.node);
+        if (!(sheet.moved(node).inverseMass > 0)) continue;
+        sheet.place(node, (tie.from + solids[tie.solid].displacement(tie.arm)) * tie.influence);
+    }
+}
+
+void SheetAnchors::solve(SmallStepSheet& sheet, Solids& solids) const {
+    for (const Tie& tie : ties_) {
+        MovingNode& node = sheet.moved(static_cast<std::size_t>(tie.node));
+        Solid& solid = solids[tie.solid];
+        const btVector3 gap = tie.from + solid.displacement(tie.arm) - vectorOf(node);
+        const btScalar length = gap.length(), inverseMass = btScalar(node.inverseMass);
+        if (!(length > 0)) continue;
+        const btScalar response = inverseMass + solid.response(tie.arm, gap / length);
+        if (!(response > 0)) continue;
+        const btVector3 push = gap * (tie.influence / response);
+        shift(node, push * inverseMass);
+        solid.push(tie.arm, -push);
+    }
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

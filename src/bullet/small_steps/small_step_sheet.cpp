@@ -1,0 +1,429 @@
+#include "bullet/small_steps/small_step_sheet.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+
+#include "bullet/repair/mending.h"
+#include "bullet/small_steps/independent_blocks.h"
+#include "cloth/plate_bending.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+MovingNode packed(const btVector3& v) {
+    return {float(v.x()), float(v.y()), float(v.z()), 0};
+}
+
+btVector3 limited(btVector3 v, btScalar most) {
+    for (int axis = 0; axis < 3; ++axis) v[axis] = std::clamp(v[axis], -most, most);
+    return v;
+}
+
+/// Collects weights of plates, few on a regular mesh, where the same come again and again.
+class WeightTable {
+  public:
+    /// Index of a plate's weights among those met so far, to four digits.
+    int classOf(const PlateElement& plate) {
+        double largest = 0;
+        for (const auto& component : plate.weights)
+            for (const double weight : component) largest = std::max(largest, std::abs(weight));
+        constexpr double digits = 1e4;
+        Key key;
+        for (std::size_t m = 0; m < 3; ++m)
+            for (std::size_t k = 0; k < 6; ++k)
+                key[m * 6 + k] = std::lround(plate.weights[m][k] / largest * digits);
+        key[18] = std::lround(std::log(largest) * digits);
+        const auto [found, isNew] = classes_.emplace(key, static_cast<int>(plates_.size()));
+        if (isNew) plates_.push_back(&plate);
+        return found->second;
+    }
+
+    /// Index of the weights of eight plates.
+    int of(const std::array<int, blockWidth>& classes, std::vector<PlateWeights>& table) {
+        const auto [found, isNew] = blocks_.emplace(classes, static_cast<int>(table.size()));
+        if (!isNew) return found->second;
+        PlateWeights weights = {};
+        for (std::size_t lane = 0; lane < blockWidth; ++lane) {
+            if (classes[lane] < 0) continue;
+            const PlateElement& plate = *plates_[static_cast<std::size_t>(classes[lane])];
+            for (std::size_t m = 0; m < 3; ++m)
+                for (std::size_t k = 0; k < 6; ++k) weights.of[m][k][lane] = float(plate.weights[m][k]);
+        }
+        table.push_back(weights);
+        return found->second;
+    }
+
+  private:
+    using Key = std::array<long, 19>;
+    std::map<Key, int> classes_;
+    std::vector<const PlateElement*> plates_;
+    std::map<std::array<int, blockWidth>, int> blocks_;
+};
+
+/// How much the curvature of a plate gives way to its own moment, times areal density, 1/m4, of most of them: a
+/// few poor triangles should not set the step of all.
+double usualResponse(const std::vector<PlateElement>& plates, const std::vector<double>& nodeAreas) {
+    std::vector<double> responses;
+    for (const PlateElement& plate : plates) {
+        double& response = responses.emplace_back(0.0);
+        for (std::size_t k = 0; k < 6; ++k) {
+            if (plate.nodes[k] < 0) continue;
+            const double nodeArea = nodeAreas[static_cast<std::size_t>(plate.nodes[k])];
+            for (const auto& weights : plate.weights)
+                response += weights[k] * weights[k] * plate.area / nodeArea;
+        }
+    }
+    if (responses.empty()) return 0;
+    const auto most = responses.begin() + static_cast<std::ptrdiff_t>(responses.size() * 9 / 10);
+    std::nth_element(responses.begin(), most, responses.end());
+    return *most;
+}
+
+/// Upper bound of the squared angular frequencies of all bends, times areal density over rigidity, 1/m4
+/// (Gershgorin).
+double stiffestNode(const std::vector<PlateElement>& plates, const std::vector<double>& nodeAreas) {
+    std::vector<double> sums(nodeAreas.size(), 0.0);
+    for (const PlateElement& plate : plates)
+        for (const auto& weights : plate.weights) {
+            double all = 0;
+            for (const double weight : weights) all += std::abs(weight);
+            for (std::size_t k = 0; k < 6; ++k)
+                if (plate.nodes[k] >= 0)
+                    sums[static_cast<std::size_t>(plate.nodes[k])] += plate.area * std::abs(weights[k]) * all;
+        }
+    double largest = 0;
+    for (std::size_t n = 0; n < sums.size(); ++n)
+        if (nodeAreas[n] > 0) largest = std::max(largest, sums[n] / nodeAreas[n]);
+    return largest;
+}
+
+}  // namespace
+
+SmallStepSheet::SmallStepSheet(const SheetMechanics& mechanics, const SmallStepKernels& kernels)
+    : kernels_(kernels),
+      count_(mechanics.mesh.size()),
+      triangles_(mechanics.mesh.triangles),
+      stretch_(mechanics.stretch) {
+    const std::size_t places = count_ + 1;
+    for (auto* nodes : {&start_, &velocity_, &acceleration_, &reach_, &moved_, &predicted_, &steps_, &push_,
+                        &pushAndMoments_, &ahead_})
+        nodes->assign(places, MovingNode{0, 0, 0, 0});
+    ratios_.assign(places, NodeRatios{1, 1, 1, 0});
+    packLinks(mechanics);
+    packPlates(mechanics);
+}
+
+void SmallStepSheet::packLinks(const SheetMechanics& mechanics) {
+    std::vector<std::array<int, 2>> elements;
+    std::vector<int> links;
+    double length = 0;
+    for (std::size_t i = 0; i < mechanics.shape.links.size(); ++i) {
+        if (mechanics.dryStiffness[i].kind == LinkKind::bending) continue;  // the plates bend
+        elements.push_back(mechanics.shape.links[i].nodes);
+        links.push_back(static_cast<int>(i));
+        length += mechanics.shape.links[i].length;
+    }
+    meanLink_ = links.empty() ? 0 : length / double(links.size());
+
+    Eigen::AlignedBox2d extent;
+    for (const auto& corners : mechanics.mesh.coordinates)
+        for (const Eigen::Vector2d& corner : corners) extent.extend(corner);
+    for (const double nodeArea : mechanics.mesh.areas) area_ += nodeArea;
+    height_ = std::max(extent.sizes().maxCoeff(), std::sqrt(area_));  // faces may lie side by side or not
+
+    const auto spare = static_cast<std::int32_t>(count_);
+    for (const IndependentBlock& chosen : independentBlocks(elements, count_)) {
+        LinkBlock& block = links_.emplace_back();
+        std::memset(&block, 0, sizeof block);
+        for (std::size_t lane = 0; lane < blockWidth; ++lane) {
+            block.first[lane] = block.second[lane] = spare;
+            const int element = chosen[lane];
+            linkOf_.push_back(element < 0 ? -1 : links[static_cast<std::size_t>(element)]);
+            dryStiffness_.push_back(1);
+            if (element < 0) continue;
+            const auto link = static_cast<std::size_t>(linkOf_.back());
+            block.first[lane] = mechanics.shape.links[link].nodes[0];
+            block.second[lane] = mechanics.shape.links[link].nodes[1];
+            dryStiffness_.back() = float(mechanics.dryStiffness[link].dry);
+        }
+    }
+}
+
+void SmallStepSheet::packPlates(const SheetMechanics& mechanics) {
+    // How much stiffer cloth is against a small bend than against a large one, before its friction slides:
+    // assumed, after the slope of measured hysteresis loops where the bend turns back.
+    constexpr double heldOverElastic = 2;
+    plateLaws_ = {float(mechanics.bending), float(mechanics.bendingFriction),
+                  mechanics.bendingFriction > 0 ? float(heldOverElastic) : 0.0f};
+
+    const std::vector<PlateElement> elements = plateElements(mechanics.mesh);
+    std::vector<std::array<int, 6>> nodes;
+    for (const PlateElement& element : elements) nodes.push_back(element.nodes);
+    WeightTable table;
+    const auto spare = static_cast<std::int32_t>(count_);
+    for (const IndependentBlock& chosen : independentBlocks(nodes, count_)) {
+        PlateBlock& block = plates_.emplace_back();
+        PlateState& state = plateStates_.emplace_back();
+        std::memset(&block, 0, sizeof block);
+        std::memset(&state, 0, sizeof state);
+        std::array<int, blockWidth> classes;
+        for (std::size_t lane = 0; lane < blockWidth; ++lane) {
+            for (auto& place : block.nodes) place[lane] = spare;
+            classes[lane] = -1;
+            if (chosen[lane] < 0) continue;
+            const PlateElement& element = elements[static_cast<std::size_t>(chosen[lane])];
+            classes[lane] = table.classOf(element);
+            state.area[lane] = float(element.area);
+            for (std::size_t k = 0; k < 6; ++k)
+                if (element.nodes[k] >= 0) block.nodes[k][lane] = element.nodes[k];
+        }
+        block.weights = table.of(classes, plateWeights_);
+    }
+    plateResponse_ = usualResponse(elements, mechanics.mesh.areas);
+    stiffestPlates_ = stiffestNode(elements, mechanics.mesh.areas);
+}
+
+void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechanics, double substep) {
+    substep_ = substep;
+    damping_ = double(body.m_cfg.kDP);
+    const btVector3& gravity = body.m_worldInfo->m_gravity;
+    gravity_ = double(gravity.length());
+    farthestMotion_ = body.m_worldInfo->m_maxDisplacement;
+    origin_ = body.m_nodes[0].m_x;
+    const bool pinsGoOn = isWhereItWas(body);
+    for (std::size_t n = 0; n < count_; ++n) {
+        const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        beginNode(node, n, gravity);
+        if (pinsGoOn && !(node.m_im > 0)) beginPin(node, n);
+        ratios_[n] = {float(mechanics.stretchRatios[n]), float(mechanics.bendingRatios[n]),
+                      float(mechanics.bendingFrictionRatios[n]), 0};
+    }
+    farthestReach_ = 0;
+    for (const MovingNode& reach : reach_)
+        farthestReach_ = std::max(farthestReach_, vectorOf(reach).length2());
+    farthestReach_ = std::sqrt(farthestReach_);
+    boundNodes(body);
+    if (double(body.m_restLengthScale) == restLengthScale_) return;
+    restLengthScale_ = double(body.m_restLengthScale);
+    for (std::size_t place = 0; place < linkOf_.size(); ++place)
+        if (linkOf_[place] >= 0)
+            links_[place / blockWidth].restLength[place % blockWidth] = float(
+                restLengthScale_ * mechanics.shape.links[static_cast<std::size_t>(linkOf_[place])].length);
+}
+
+void SmallStepSheet::boundNodes(const btSoftBody& body) {
+    bounds_.resize((count_ + nodesOfBounds - 1) / nodesOfBounds);
+    for (std::size_t n = 0; n < count_; ++n) {
+        Bounds& bounds = bounds_[n / nodesOfBounds];
+        const btVector3& place = body.m_nodes[static_cast<int>(n)].m_x;
+        if (n % nodesOfBounds == 0) bounds = {place, place};
+        bounds.take(place);
+        bounds.take(place + vectorOf(reach_[n]));
+    }
+}
+
+void SmallStepSheet::beginNode(const btSoftBody::Node& node, std::size_t n, const btVector3& gravity) {
+    const bool isPin = !(node.m_im > 0);
+    start_[n] = packed(node.m_x - origin_);
+    start_[n].inverseMass = float(node.m_im);
+    velocity_[n] = packed(node.m_v);
+    const auto t = btScalar(substep_);
+    // As far as Bullet lets a force take a node in a substep; and no bounds so wide that it drops the body.
+    const btScalar farthest = farthestMotion_ / (t * t);
+    const btVector3 acceleration = gravity + limited(node.m_f * node.m_im, farthest);
+    acceleration_[n] = isPin ? MovingNode{0, 0, 0, 0} : packed(acceleration);
+    reach_[n] = packed(limited((node.m_v + vectorOf(acceleration_[n]) * t) * t, farthestMotion_));
+}
+
+/// Whether the application has moved pins at most.
+bool SmallStepSheet::isWhereItWas(const btSoftBody& body) const {
+    for (std::size_t n = 0; n < end_.size(); ++n) {
+        const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        if (node.m_im > 0 && node.m_x != end_[n]) return false;
+    }
+    return !end_.empty();
+}
+
+/// A pin that the application has moved goes there evenly, and so do those that follow it.
+void SmallStepSheet::beginPin(const btSoftBody::Node& node, std::size_t n) {
+    const btVector3 jump = node.m_x - end_[n];
+    if (jump.isZero()) return;
+    const MovingNode back = packed(jump / btScalar(substep_));
+    start_[n] = packed(end_[n] - origin_);
+    velocity_[n] = {velocity_[n].x + back.x, velocity_[n].y + back.y, velocity_[n].z + back.z, 0};
+}
+
+int SmallStepSheet::wantedSteps(const SheetMechanics& mechanics, double stretchTolerance) const {
+    double longest = longestBendingStep(mechanics);
+    if (gravity_ > 0 && meanLink_ > 0) {
+        double stretchRatio = 0;
+        for (const double ratio : mechanics.stretchRatios) stretchRatio += ratio / double(count_);
+        const double slack =
+            2 * stretchTolerance / (gravity_ * height_) + arealDensity(mechanics) / (stretch_ * stretchRatio);
+        longest = std::min(longest, meanLink_ * std::sqrt(slack));
+    }
+    return static_cast<int>(std::clamp(std::ceil(substep_ / longest), 1.0, 1000.0));
+}
+
+double SmallStepSheet::arealDensity(const SheetMechanics& mechanics) const {
+    double mass = 0;
+    for (const double nodeMass : mechanics.masses) mass += nodeMass;
+    return mass / area_;
+}
+
+/// The longest step in which plates have their rigidity: with their compliance well above their own response,
+/// a cantilever of ten cells is within a few percent of theory.
+double SmallStepSheet::longestBendingStep(const SheetMechanics& mechanics) const {
+    constexpr double resolved = 0.3;
+    double rigidity = 0;
+    for (const double ratio : mechanics.bendingRatios) rigidity += ratio / double(count_);
+    rigidity *= mechanics.bending * (1 + double(plateLaws_.frictionStiffness));
+    return std::sqrt(resolved * arealDensity(mechanics) / (rigidity * plateResponse_));
+}
+
+/// For how many small steps moments may stand: so that the stiffest of all bends stays stable, wherever the cloth
+/// is stiffest and lightest.
+int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, int steps) const {
+    double stiffest = 0, lightest = std::numeric_limits<double>::infinity();
+    for (std::size_t n = 0; n < count_; ++n) {
+        if (!(mechanics.mesh.areas[n] > 0)) continue;
+        stiffest = std::max(stiffest, mechanics.bendingRatios[n]);
+        lightest = std::min(lightest, mechanics.masses[n] / mechanics.mesh.areas[n]);
+    }
+    stiffest *= mechanics.bending * (1 + double(plateLaws_.frictionStiffness));
+    // With T = n h and x' = x + T (v + v') / 2, v' = v - T w^2 (x + T v) a bend of angular frequency w is stable
+    // up to (w T)^2 = 2.
+    constexpr double stable = 1.3, most = 8;
+    const double longest = std::sqrt(stable * lightest / (stiffest * stiffestPlates_));
+    return static_cast<int>(std::clamp(longest * steps / substep_, 1.0, most));
+}
+
+void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
+    smallStep_ = substep_ / steps;
+    platesEvery_ = stepsBetweenPlates(mechanics, steps);
+    step_ = 0;
+    keep_ = float(std::exp(-damping_ * smallStep_));
+    const auto h = float(smallStep_), squared = float(smallStep_ * smallStep_);
+    for (std::size_t n = 0; n < count_; ++n) {
+        const MovingNode &v = velocity_[n], &a = acceleration_[n];
+        const float inverseMass = start_[n].inverseMass;
+        // A pin goes its way undamped.
+        const float feed = inverseMass > 0 ? 0 : h * (1 - keep_);
+        moved_[n] = predicted_[n] = {0, 0, 0, inverseMass};
+        steps_[n] = {v.x * h, v.y * h, v.z * h, 0};
+        push_[n] = {a.x * squared + v.x * feed, a.y * squared + v.y * feed, a.z * squared + v.z * feed, 0};
+    }
+    moved_[count_] = push_[count_] = {0, 0, 0, 0};  // whatever it has gathered counts for nothing
+    kernels_.prepareLinks(links_.data(), dryStiffness_.data(), start_.data(), ratios_.data(), squared,
+                          links_.size());
+    kernels_.preparePlates(push_.data(), plates_.data(), plateStates_.data(), plateWeights_.data(),
+                           plateLaws_, start_.data(), ratios_.data(), {h, float(platesEvery_)},
+                           plates_.size());
+}
+
+void SmallStepSheet::advance() {
+    if (step_++ % platesEvery_ == 0 && platesEvery_ > 1) renewMoments();
+    const auto& push = platesEvery_ > 1 ? pushAndMoments_ : push_;
+    kernels_.advance(moved_.data(), predicted_.data(), steps_.data(), push.data(), keep_, count_);
+}
+
+void SmallStepSheet::solveCloth() {
+    if (platesEvery_ == 1)
+        kernels_.solvePlates(moved_.data(), moved_.data(), plates_.data(), plateWeights_.data(),
+                             plates_.size());
+    kernels_.solveLinks(moved_.data(), links_.data(), links_.size());
+}
+
+/// Moments that are to stand for a while are those at its end, as far as one can see from here: moments that come
+/// late would drive vibrations, and such as strike at intervals those of the links.
+void SmallStepSheet::renewMoments() {
+    const auto ahead = float(platesEvery_);
+    for (std::size_t n = 0; n < count_; ++n) {
+        const MovingNode &now = moved_[n], &before = predicted_[n], &step = steps_[n];
+        ahead_[n] = {now.x + ahead * (step.x + (now.x - before.x)),
+                     now.y + ahead * (step.y + (now.y - before.y)),
+                     now.z + ahead * (step.z + (now.z - before.z)), now.inverseMass};
+    }
+    std::copy(push_.begin(), push_.end(), pushAndMoments_.begin());
+    kernels_.solvePlates(pushAndMoments_.data(), ahead_.data(), plates_.data(), plateWeights_.data(),
+                         plates_.size());
+}
+
+void SmallStepSheet::place(std::size_t node, const btVector3& by) {
+    shift(moved_[node], by);
+    shift(predicted_[node], by);
+}
+
+int SmallStepSheet::firstLost() const {
+    const auto isOff = [](const MovingNode& moved) {
+        return !(std::abs(moved.x) + std::abs(moved.y) + std::abs(moved.z) <= float(farthestPlace));
+    };
+    const auto found = std::find_if(moved_.begin(), moved_.end() - 1, isOff);  // the spare one does not count
+    return found == moved_.end() - 1 ? -1 : static_cast<int>(found - moved_.begin());
+}
+
+int SmallStepSheet::finish(btSoftBody& body) {
+    const int off = firstLost();
+    const bool finite = off < 0;
+    const auto perSecond = btScalar(1 / smallStep_);
+    end_.resize(count_);
+    for (std::size_t n = 0; n < count_; ++n) {
+        btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        node.m_q = node.m_x;
+        node.m_f.setZero();
+        if (!(node.m_im > 0))
+            node.m_x += node.m_v * btScalar(substep_);
+        else if (finite)
+            node.m_x += vectorOf(moved_[n]);
+        if (!finite) {
+            node.m_v.setZero();
+            moved_[n] = {0, 0, 0, moved_[n].inverseMass};
+        } else if (node.m_im > 0)
+            node.m_v = step(n) * perSecond;
+        end_[n] = node.m_x;
+    }
+    return off;
+}
+
+void SmallStepSheet::writeNormals(btSoftBody& body) {
+    // Positions and sums side by side, since Bullet's own are spread over four cache lines each.
+    std::vector<MovingNode>&positions = reach_, &sums = push_;
+    for (std::size_t n = 0; n < count_; ++n) {
+        const MovingNode &start = start_[n], &moved = moved_[n];
+        positions[n] = {start.x + moved.x, start.y + moved.y, start.z + moved.z, 0};
+        sums[n] = {0, 0, 0, 0};
+    }
+    constexpr float tiny = 1e-30f;
+    for (std::size_t f = 0; f < triangles_.size(); ++f) {
+        const auto a = static_cast<std::size_t>(triangles_[f][0]),
+                   b = static_cast<std::size_t>(triangles_[f][1]),
+                   c = static_cast<std::size_t>(triangles_[f][2]);
+        const MovingNode &p = positions[a], &q = positions[b], &r = positions[c];
+        const float ux = q.x - p.x, uy = q.y - p.y, uz = q.z - p.z;
+        const float vx = r.x - p.x, vy = r.y - p.y, vz = r.z - p.z;
+        const float x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+        for (const std::size_t corner : {a, b, c}) {
+            sums[corner].x += x;
+            sums[corner].y += y;
+            sums[corner].z += z;
+        }
+        const float scale = 1 / std::sqrt(x * x + y * y + z * z + tiny);
+        body.m_faces[static_cast<int>(f)].m_normal.setValue(btScalar(x * scale), btScalar(y * scale),
+                                                            btScalar(z * scale));
+    }
+    for (std::size_t n = 0; n < count_; ++n) {
+        const MovingNode& sum = sums[n];
+        const float scale = 1 / std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z + tiny);
+        body.m_nodes[static_cast<int>(n)].m_n.setValue(btScalar(sum.x * scale), btScalar(sum.y * scale),
+                                                       btScalar(sum.z * scale));
+    }
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,279 @@
+#include "bullet/small_steps/soft_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bullet/sheet/face_projection.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+bool holds(const btSoftBody& body, const btSoftBody::Node& node) {
+    return &node >= &body.m_nodes[0] && &node <= &body.m_nodes[body.m_nodes.size() - 1];
+}
+
+}  // namespace
+
+struct SoftContacts::Finder final : btDbvt::ICollide {
+    Finder(std::vector<Found>& found, btSoftBody& nodes, btSoftBody& faces)
+        : found_(found),
+          owner_(nodes),
+          other_(faces),
+          margin_(nodes.getCollisionShape()->getMargin() + faces.getCollisionShape()->getMargin()),
+          friction_(dryFriction(nodes, faces)) {}
+
+    void Process(const btDbvtNode* leafOfNode, const btDbvtNode* leafOfFace) override {
+        auto& node = *static_cast<btSoftBody::Node*>(leafOfNode->data);
+        auto& face = *static_cast<btSoftBody::Face*>(leafOfFace->data);
+        const FaceProjection::Nearest nearest =
+            projection_.of(node.m_x, face.m_n[0]->m_x, face.m_n[1]->m_x, face.m_n[2]->m_x);
+        const btScalar distance = nearest.apart.length();
+        const btScalar farthest = margin_ + 2 * (node.m_x - node.m_q).length();
+        // Of a node in the very plane of a face nobody knows which way is out.
+        if (!(distance > SIMD_EPSILON && distance < farthest)) return;
+        const btVector3 normal = nearest.apart / distance;
+        found_.push_back({&owner_, &other_,
+                          silentContact(node, face, nearest.weights, normal, farthest, friction_), margin_,
+                          distance});
+    }
+
+  private:
+    std::vector<Found>& found_;
+    btSoftBody& owner_;
+    btSoftBody& other_;
+    const btScalar margin_;
+    const btScalar friction_;
+    FaceProjection projection_;
+};
+
+void SoftContacts::find(btSoftBody& nodes, btSoftBody& faces) {
+    const std::size_t first = found_.size();
+    Finder finder(found_, nodes, faces);
+    nodes.m_ndbvt.collideTT(nodes.m_ndbvt.m_root, faces.m_fdbvt.m_root, finder);
+    choose(first);
+}
+
+void SoftContacts::choose(std::size_t first) {
+    const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(begin, found_.end(), [](const Found& a, const Found& b) {
+        if (a.contact.m_node != b.contact.m_node) return a.contact.m_node < b.contact.m_node;
+        return a.distance != b.distance ? a.distance < b.distance : a.contact.m_face < b.contact.m_face;
+    });
+    auto kept = begin;
+    const Found* nearest = nullptr;
+    for (auto each = begin; each != found_.end(); ++each) {
+        const bool isNearest = !nearest || nearest->contact.m_node != each->contact.m_node;
+        if (!isNearest && !rises(*each, *nearest)) continue;
+        *kept = *each;
+        if (isNearest) nearest = &*kept;
+        ++kept;
+    }
+    found_.erase(kept, found_.end());
+}
+
+/// Whether a face rises above the plane by which a node meets the nearest one; its own plane then counts.
+bool SoftContacts::rises(Found& found, const Found& nearest) {
+    constexpr btScalar flat = btScalar(0.1);  // of the margin
+    const btVector3& up = nearest.contact.m_normal;
+    const btVector3& place = found.contact.m_node->m_x;
+    const btVector3 point = place - up * nearest.distance;
+    const auto* const corners = found.contact.m_face->m_n;
+    btScalar top = 0;
+    for (int corner = 0; corner < 3; ++corner) top = std::max(top, up.dot(corners[corner]->m_x - point));
+    if (top < flat * found.margin) return false;
+    const btVector3 normal = (corners[1]->m_x - corners[0]->m_x).cross(corners[2]->m_x - corners[0]->m_x);
+    const btScalar length = normal.length();
+    if (!(length > 0)) return false;
+    const bool isBehind = normal.dot(place - corners[0]->m_x) < 0;
+    found.contact.m_normal = normal / (isBehind ? -length : length);
+    return true;
+}
+
+void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int steps) {
+    substep_ = btScalar(substep);
+    share_ = 1 / btScalar(steps);
+    isFirstStep_ = true;
+    contacts_.clear();
+    guests_.clear();
+    // Pairs of bodies come in the order in which they have met, which restored sheets would not know.
+    std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+        const int one = a.owner->getWorldArrayIndex(), two = b.owner->getWorldArrayIndex();
+        return one != two ? one < two : a.other->getWorldArrayIndex() < b.other->getWorldArrayIndex();
+    });
+    for (const Found& found : found_) contacts_.push_back(placed(found, sheets));
+    for (const Sheet& sheet : sheets) bond(sheet, sheets);
+}
+
+void SoftContacts::bond(const Sheet& sheet, const std::vector<Sheet>& sheets) {
+    Grip& grip = *sheet.grip;
+    if (!grip.clings()) return;
+    nearest_.assign(sheet.cloth->size(), -1);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        Contact& contact = contacts_[i];
+        if (contact.sheets[0] != sheet.cloth) continue;
+        int& nearest = nearest_[contact.nodes[0]];
+        if (nearest < 0 || contact.gap < contacts_[static_cast<std::size_t>(nearest)].gap)
+            nearest = static_cast<int>(i);
+    }
+    for (const int nearest : nearest_) {
+        if (nearest < 0) continue;
+        const auto i = static_cast<std::size_t>(nearest);
+        const auto other = std::find_if(sheets.begin(), sheets.end(), [&](const Sheet& each) {
+            return each.cloth == contacts_[i].sheets[1];
+        });
+        bond(contacts_[i], *found_[i].other, grip, other == sheets.end() ? nullptr : other->grip);
+    }
+}
+
+void SoftContacts::bond(Contact& contact, const btSoftBody& other, const Grip& ofNode, const Grip* ofFace) {
+    const std::size_t node = contact.nodes[0];
+    double traction = ofNode.bondTraction(node);
+    if (ofFace) {
+        double ofOther = 0;
+        for (std::size_t corner = 1; corner < 4; ++corner)
+            ofOther -= double(contact.weights[corner]) * ofFace->bondTraction(contact.nodes[corner]);
+        // Both have to be wet; and the nodes of either hold one half.
+        traction = 0.5 * std::min(traction, ofOther);
+    }
+    contact.bond = float(traction * ofNode.area(node));
+    contact.reach = float(ofNode.reach());
+    contact.isBonded = contact.bond > 0 && (contact.gap < 0 || ofNode.bondedToCloth[node] == &other);
+}
+
+SoftContacts::Contact SoftContacts::placed(const Found& found, const std::vector<Sheet>& sheets) {
+    Contact contact = {};
+    const btSoftBody::SContact& source = found.contact;
+    btVector3 apart = place(contact, 0, *source.m_node, *found.owner, sheets);
+    contact.weights[0] = 1;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::size_t at = corner + 1;
+        apart -= place(contact, at, *source.m_face->m_n[corner], *found.other, sheets) *
+                 source.m_weights[int(corner)];
+        contact.weights[at] = -float(source.m_weights[int(corner)]);
+    }
+    contact.normal = source.m_normal;
+    contact.friction = float(source.m_friction);
+    for (const Sheet& sheet : sheets)
+        if (sheet.cloth == contact.sheets[0])
+            contact.friction *= float(sheet.grip->frictionRatio(contact.nodes[0]));
+    for (std::size_t i = 0; i < 4; ++i)
+        contact.response += contact.weights[i] * contact.weights[i] * contact.moved[i]->inverseMass;
+    contact.gap = float(apart.dot(source.m_normal) - found.margin);
+    lift(contact, float(found.margin));
+    return contact;
+}
+
+/// Takes overlapping bodies apart, without a velocity of their own and a little at a time: all at once would take
+/// cloth through cloth elsewhere.
+void SoftContacts::lift(Contact& contact, float margin) {
+    constexpr float atOnce = 0.1f;
+    if (contact.gap >= 0 || !(contact.response > 0)) return;
+    const float lifted = std::min(-contact.gap, atOnce * margin);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const btVector3 by = contact.normal * btScalar(lifted * contact.weights[i] *
+                                                       contact.moved[i]->inverseMass / contact.response);
+        if (contact.sheets[i])
+            contact.sheets[i]->place(contact.nodes[i], by);
+        else
+            shift(*contact.moved[i], by);
+    }
+    contact.gap = -lifted;
+}
+
+btVector3 SoftContacts::place(Contact& contact, std::size_t corner, btSoftBody::Node& node,
+                              const btSoftBody& body, const std::vector<Sheet>& sheets) {
+    for (const Sheet& sheet : sheets) {
+        if (!holds(*sheet.body, node)) continue;
+        contact.sheets[corner] = sheet.cloth;
+        contact.nodes[corner] = static_cast<std::size_t>(&node - &sheet.body->m_nodes[0]);
+        contact.moved[corner] = &sheet.cloth->moved(contact.nodes[corner]);
+        return sheet.cloth->startPlace(contact.nodes[corner]);
+    }
+    contact.sheets[corner] = nullptr;
+    contact.nodes[corner] = guestOf(node, body.isActive());
+    Guest& guest = guests_[contact.nodes[corner]];
+    contact.moved[corner] = &guest.moved;
+    return guest.start;
+}
+
+std::size_t SoftContacts::guestOf(btSoftBody::Node& node, bool isAwake) {
+    for (std::size_t i = 0; i < guests_.size(); ++i)
+        if (guests_[i].node == &node) return i;
+    // Bullet leaves one that sleeps where it is, and so do we.
+    const btVector3 start = isAwake ? node.m_q : node.m_x;
+    guests_.push_back({&node, start, node.m_x - start, {0, 0, 0, isAwake ? float(node.m_im) : 0}, {0, 0, 0}});
+    return guests_.size() - 1;
+}
+
+void SoftContacts::advance() {
+    for (Guest& guest : guests_) {
+        // It goes on with what pushes have given it.
+        const btVector3 step = isFirstStep_ ? guest.own * share_ : vectorOf(guest.moved) - guest.before;
+        guest.before = vectorOf(guest.moved);
+        shift(guest.moved, step);
+    }
+    isFirstStep_ = false;
+}
+
+btVector3 SoftContacts::step(const Contact& contact, std::size_t corner) const {
+    if (contact.sheets[corner]) return contact.sheets[corner]->step(contact.nodes[corner]);
+    return vectorOf(*contact.moved[corner]) - guests_[contact.nodes[corner]].before;
+}
+
+void SoftContacts::solve() {
+    for (Contact& contact : contacts_) {
+        if (!(contact.response > 0)) continue;
+        btVector3 apart(0, 0, 0);
+        for (std::size_t i = 0; i < 4; ++i)
+            apart += vectorOf(*contact.moved[i]) * btScalar(contact.weights[i]);
+        const btScalar depth = -(btScalar(contact.gap) + apart.dot(contact.normal));
+        contact.isBonded =
+            contact.bond > 0 && (contact.isBonded ? depth > -btScalar(contact.reach) : depth > 0);
+        if (!((depth > 0 || contact.isBonded) && std::abs(depth) < std::numeric_limits<btScalar>::max()))
+            continue;  // nor for what is not finite
+        contact.touched = true;
+        const btScalar held = contact.isBonded ? bondedWay(contact) : btScalar(0);
+        const btScalar closing = std::max(depth, -held);
+
+        btVector3 slip(0, 0, 0);
+        for (std::size_t i = 0; i < 4; ++i) slip += step(contact, i) * btScalar(contact.weights[i]);
+        slip -= contact.normal * slip.dot(contact.normal);
+        const btScalar length = slip.length(), most = btScalar(contact.friction) * (closing + held);
+        btVector3 push = contact.normal * closing;
+        if (length > 0) push -= slip * (std::min(most, length) / length);
+        for (std::size_t i = 0; i < 4; ++i)
+            shift(*contact.moved[i],
+                  push * btScalar(contact.weights[i] * contact.moved[i]->inverseMass / contact.response));
+    }
+}
+
+/// How far a bond takes node and face together in a small step, m.
+btScalar SoftContacts::bondedWay(const Contact& contact) {
+    const double h = contact.sheets[0]->smallStep();
+    return btScalar(double(contact.bond) * h * h * double(contact.response));
+}
+
+void SoftContacts::finish(const std::vector<Sheet>& sheets) {
+    for (const Sheet& sheet : sheets)
+        std::fill(sheet.grip->bondedToCloth.begin(), sheet.grip->bondedToCloth.end(), nullptr);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const Contact& contact = contacts_[i];
+        if (contact.touched) found_[i].owner->m_scontacts.push_back(found_[i].contact);
+        if (!contact.isBonded) continue;
+        for (const Sheet& sheet : sheets)
+            if (sheet.cloth == contact.sheets[0])
+                sheet.grip->bondedToCloth[contact.nodes[0]] = found_[i].other;
+    }
+    for (const Guest& guest : guests_) {
+        const btVector3 moved = vectorOf(guest.moved);
+        if (!(guest.moved.inverseMass > 0) || !std::isfinite(moved.x() + moved.y() + moved.z())) continue;
+        guest.node->m_x = guest.start + moved;
+        guest.node->m_v += (moved - guest.before - guest.own * share_) / (substep_ * share_);
+    }
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

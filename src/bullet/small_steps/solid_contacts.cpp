@@ -1,0 +1,335 @@
+#include "bullet/small_steps/solid_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "bullet/contact/solid_distance.h"
+#include "bullet/sheet/rest_shape.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+/// How far the solid itself may come towards a node within the substep.
+btVector3 ownMotion(const btCollisionObject& object, const btVector3& point, double substep) {
+    const btRigidBody* const body = movingBody(object);
+    if (!body) return {0, 0, 0};
+    return body->getVelocityInLocalPoint(point - body->getCenterOfMassPosition()) * btScalar(substep);
+}
+
+}  // namespace
+
+void SolidContacts::clear() {
+    contacts_.clear();
+    places_.clear();
+    mesh_ = nullptr;
+}
+
+/// A solid, or a part of one, that nodes are looked for around.
+struct SolidContacts::Touching {
+    const btCollisionObject& object;
+    const btCollisionShape& shape;
+    const btTransform& transform;  // of the shape
+    btTransform shapeInSolid;
+    bool isTriangle;
+    std::size_t solid;  // index
+    Bounds bounds;
+    btScalar margin;
+    const Grip& grip;
+    Surface surface;
+    double substep;
+};
+
+void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const Grip& grip,
+                         const btCollisionObjectWrapper& solid, double substep, Solids& solids) {
+    const btCollisionObject& object = *solid.getCollisionObject();
+    if (!object.hasContactResponse()) return;
+    const btCollisionShape& shape = *solid.getCollisionShape();
+    const btTransform& transform = solid.getWorldTransform();
+    Touching with{object,
+                  shape,
+                  transform,
+                  object.getWorldTransform().inverseTimes(transform),
+                  isTriangleOfMesh(solid),
+                  solids.indexOf(object),
+                  {},
+                  body.getCollisionShape()->getMargin(),
+                  grip,
+                  grip.surfaceAt(object, body.m_cfg.kDF),
+                  substep};
+    reach_ = btScalar(grip.reach());
+    shape.getAabb(transform, with.bounds.low, with.bounds.high);
+    const btVector3 centre = (with.bounds.low + with.bounds.high) / 2;
+    with.bounds.grow(2 * with.margin + (grip.clings() ? reach_ : 0) +
+                     ownMotion(object, centre, substep).length() + sheet.farthestReach());
+    if (with.isTriangle && mesh_ != &object) {
+        mesh_ = &object;
+        meshContacts_.assign(sheet.size(), {-1, -1, -1, -1, -1, -1});
+    }
+
+    for (std::size_t part = 0; part < sheet.bounds().size(); ++part) {
+        if (!with.bounds.meets(sheet.bounds()[part])) continue;
+        const std::size_t first = part * SmallStepSheet::nodesOfBounds;
+        const std::size_t end = std::min(first + SmallStepSheet::nodesOfBounds, sheet.size());
+        for (std::size_t n = first; n < end; ++n) findNode(body, sheet, n, with);
+    }
+}
+
+void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std::size_t n,
+                             const Touching& with) {
+    const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+    const btVector3 reach = vectorOf(sheet.reach(n));
+    Bounds path{node.m_x, node.m_x};
+    path.take(node.m_x + reach);
+    if (!with.bounds.meets(path) || !(node.m_im > 0) || node.m_battach) return;
+    const SurfacePoint surface =
+        with.isTriangle ? nearestOnTriangle(with.shape, with.transform, node.m_x)
+                        : nearestSurface(with.shape, with.transform, node.m_x, body.m_worldInfo->m_sparsesdf);
+    // Its neighbours may pull a node on further than it would go by itself, towards where they go.
+    const btVector3 approach = reach - ownMotion(with.object, node.m_x, with.substep);
+    const bool isBonded = with.grip.bondedTo[n] == &with.object;
+    const btScalar slack =
+        with.margin + std::max(approach.length(), sheet.farthestReach() / 2) + (isBonded ? reach_ : 0);
+    if (surface.distance > with.margin + slack + std::max(btScalar(0), -approach.dot(surface.normal))) return;
+
+    const Place place{with.solid,
+                      &with.shape,
+                      with.isTriangle,
+                      with.shapeInSolid,
+                      node.m_x - surface.normal * surface.distance,
+                      surface.normal,
+                      btVector3(0, 0, 0),
+                      0,
+                      surface.distance,
+                      true};
+    const std::size_t at = with.isTriangle ? placeOnMesh(n, place, node.m_x) : contacts_.size();
+    if (at == contacts_.size()) {
+        const double bond = with.surface.wettability * with.grip.bond(n);
+        contacts_.push_back({static_cast<int>(n),
+                             {},
+                             0,
+                             float(with.grip.friction(with.surface, n)),
+                             float(bond),
+                             isBonded && bond > 0,
+                             false});
+        places_.push_back(place);
+    } else if (at < contacts_.size()) {
+        places_[at] = place;
+    }
+}
+
+std::size_t SolidContacts::placeOnMesh(std::size_t n, const Place& place, const btVector3& start) {
+    constexpr btScalar sameWay = btScalar(0.7);
+    const std::size_t nowhere = contacts_.size() + 1;
+    const btTransform& solid = mesh_->getWorldTransform();
+    const auto wayOf = [&](const Place& of) {
+        return normalOfTriangle(*of.shape, solid * of.shapeInSolid, start);
+    };
+    const btVector3 way = wayOf(place);
+    std::size_t farthest = nowhere;
+    for (int& known : meshContacts_[n]) {
+        if (known < 0) {
+            known = static_cast<int>(contacts_.size());
+            return contacts_.size();
+        }
+        const auto at = static_cast<std::size_t>(known);
+        if (wayOf(places_[at]).dot(way) > sameWay)
+            return places_[at].distance > place.distance ? at : nowhere;
+        if (farthest == nowhere || places_[at].distance > places_[farthest].distance) farthest = at;
+    }
+    return places_[farthest].distance > place.distance ? farthest : nowhere;
+}
+
+void SolidContacts::choose(const btSoftBody& body, const Solids& solids) {
+    lastOfNode_.assign(static_cast<std::size_t>(body.m_nodes.size()), -1);
+    before_.clear();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        int& last = lastOfNode_[static_cast<std::size_t>(contacts_[i].node)];
+        before_.push_back(last);
+        last = static_cast<int>(i);
+    }
+    constexpr btScalar flat = btScalar(0.1);  // of the margin
+    const btScalar margin = body.getCollisionShape()->getMargin();
+    const auto before = [&](int contact) { return before_[static_cast<std::size_t>(contact)]; };
+    for (const int last : lastOfNode_) {
+        if (last < 0 || before(last) < 0) continue;
+        int nearest = last;
+        for (int i = before(last); i >= 0; i = before(i))
+            if (places_[static_cast<std::size_t>(i)].distance <
+                places_[static_cast<std::size_t>(nearest)].distance)
+                nearest = i;
+        const auto chosen = static_cast<std::size_t>(nearest);
+        const btVector3& start = body.m_nodes[contacts_[chosen].node].m_x;
+        for (int i = last; i >= 0; i = before(i))
+            if (i != nearest)
+                choose(start, places_[chosen], flat * margin, static_cast<std::size_t>(i), solids);
+    }
+    removeLeftOut();
+}
+
+void SolidContacts::choose(const btVector3& start, const Place& nearest, btScalar flat, std::size_t other,
+                           const Solids& solids) {
+    constexpr btScalar otherFace = btScalar(-0.5);
+    Place& place = places_[other];
+    Contact& contact = contacts_[other];
+    const btTransform transform = solids[place.solid].end() * place.shapeInSolid;
+    const btVector3& up = nearest.normal;
+    const btScalar top = place.isTriangle ? farthestOfTriangle(*place.shape, transform, up)
+                                          : farthestAlong(*place.shape, transform, up);
+    if (top - up.dot(nearest.point) < flat) {
+        contact.node = -1;
+        return;
+    }
+    place.facesNode = !place.isTriangle;
+    if (place.isTriangle) place.normal = normalOfTriangle(*place.shape, transform, start);
+    // A face of the cloth clings once.
+    if (up.dot(place.normal) > otherFace) contact.bond = 0;
+    contact.isBonded = contact.isBonded && contact.bond > 0;
+}
+
+void SolidContacts::order(const Solids& solids) {
+    const auto placeOf = [&](std::size_t contact) {
+        return solids[places_[contact].solid].object().getWorldArrayIndex();
+    };
+    order_.resize(contacts_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    const auto isBefore = [&](std::size_t a, std::size_t b) {
+        return placeOf(a) != placeOf(b) ? placeOf(a) < placeOf(b) : a < b;
+    };
+    if (std::is_sorted(order_.begin(), order_.end(), isBefore)) return;
+    std::sort(order_.begin(), order_.end(), isBefore);
+    unorderedContacts_.swap(contacts_);
+    unorderedPlaces_.swap(places_);
+    contacts_.clear();
+    places_.clear();
+    for (const std::size_t at : order_) {
+        contacts_.push_back(unorderedContacts_[at]);
+        places_.push_back(unorderedPlaces_[at]);
+    }
+}
+
+void SolidContacts::removeLeftOut() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        if (contacts_[i].node < 0) continue;
+        contacts_[kept] = contacts_[i];
+        places_[kept] = places_[i];
+        ++kept;
+    }
+    contacts_.erase(contacts_.begin() + static_cast<std::ptrdiff_t>(kept), contacts_.end());
+    places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(kept), places_.end());
+}
+
+void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids) {
+    order(solids);
+    choose(body, solids);
+    const btScalar margin = body.getCollisionShape()->getMargin();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        Contact& contact = contacts_[i];
+        Place& place = places_[i];
+        const Solid& solid = solids[place.solid];
+        const btVector3& start = body.m_nodes[contact.node].m_x;
+        if (solid.isMoving()) follow(place, body, start, solid);
+        place.arm = place.point - solid.end().getOrigin();
+        place.response = solid.response(place.arm, place.normal);
+        for (int axis = 0; axis < 3; ++axis) contact.normal[axis] = float(place.normal[axis]);
+        contact.gap = float(place.normal.dot(start - place.point) - margin);
+
+        const auto n = static_cast<std::size_t>(contact.node);
+        const btScalar inside = -(btScalar(contact.gap) +
+                                  place.normal.dot(vectorOf(sheet.moved(n)) - solid.displacement(place.arm)));
+        if (inside <= 0) continue;
+        contact.isBonded = contact.bond > 0;
+        // Lifted without a velocity of its own, and not farther than the cloth's margin at once; what is left
+        // waits for the next substep.
+        const btScalar lifted = std::min(inside, margin);
+        sheet.place(n, place.normal * lifted);
+        contact.gap += float(inside - lifted);
+    }
+}
+
+void SolidContacts::follow(Place& place, const btSoftBody& body, const btVector3& start,
+                           const Solid& solid) const {
+    // As the node sees it from there, not turned with the solid: a ball that spins in one place stays the same.
+    const btTransform transform = solid.end() * place.shapeInSolid;
+    const btVector3 point = start + solid.path();
+    const SurfacePoint surface =
+        place.isTriangle ? nearestOnTriangle(*place.shape, transform, point)
+                         : nearestSurface(*place.shape, transform, point, body.m_worldInfo->m_sparsesdf);
+    place.point = point - surface.normal * surface.distance;
+    place.normal = place.facesNode ? surface.normal : normalOfTriangle(*place.shape, transform, point);
+}
+
+void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        Contact& contact = contacts_[i];
+        const auto n = static_cast<std::size_t>(contact.node);
+        const MovingNode& node = sheet.moved(n);
+        const float* const normal = contact.normal;
+        Solid& solid = solids[places_[i].solid];
+        const btVector3 displacement = solid.displacement(places_[i].arm);
+        const float gap = contact.gap + normal[0] * (node.x - float(displacement.x())) +
+                          normal[1] * (node.y - float(displacement.y())) +
+                          normal[2] * (node.z - float(displacement.z()));
+        contact.isBonded = contact.bond > 0 && (contact.isBonded ? gap < float(reach_) : gap < 0);
+        if (!((gap < 0 || contact.isBonded) && std::abs(gap) < std::numeric_limits<float>::max()))
+            continue;  // nor for what is not finite
+        contact.touched = true;
+        hold(sheet, contact, places_[i], solid, -gap);
+    }
+}
+
+void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const Place& place, Solid& solid,
+                         float depth) const {
+    const auto n = static_cast<std::size_t>(contact.node);
+    MovingNode& node = sheet.moved(n);
+    const btVector3 normal(btScalar(contact.normal[0]), btScalar(contact.normal[1]),
+                           btScalar(contact.normal[2]));
+    const auto inverseMass = btScalar(node.inverseMass);
+    const auto h = btScalar(sheet.smallStep());
+    const btScalar bond = contact.isBonded ? btScalar(contact.bond) * h * h : btScalar(0);
+    const btScalar push = std::max(btScalar(depth) / (inverseMass + place.response), -bond);
+    const btVector3 slip = sheet.step(n) - solid.step(place.arm);
+    const btVector3 along = slip - normal * slip.dot(normal);
+    // What presses the faces together is what holds them apart: the push, and that against the bond.
+    const btScalar length = along.length(), most = btScalar(contact.friction) * (push + bond);
+    btVector3 total = normal * push;
+    if (length > 0) {
+        // Along its surface a solid that may turn gives way more readily than across it.
+        const btScalar giving = inverseMass + solid.response(place.arm, along / length);
+        total -= along * (std::min(most, length / giving) / length);
+    }
+    shift(node, total * inverseMass);
+    solid.push(place.arm, -total);
+}
+
+void SolidContacts::finish(btSoftBody& body, Grip& grip, const Solids& solids, double substep) const {
+    std::fill(grip.bondedTo.begin(), grip.bondedTo.end(), nullptr);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const Contact& contact = contacts_[i];
+        if (!contact.touched) continue;
+        const Place& place = places_[i];
+        const Solid& solid = solids[place.solid];
+        if (contact.isBonded) grip.bondedTo[static_cast<std::size_t>(contact.node)] = &solid.object();
+        btSoftBody::RContact found;
+        btSoftBody::Node& node = body.m_nodes[contact.node];
+        found.m_cti.m_colObj = &solid.object();
+        found.m_cti.m_normal = place.normal;
+        found.m_cti.m_offset = -place.normal.dot(place.point) - body.getCollisionShape()->getMargin();
+        found.m_node = &node;
+        found.m_c0.setIdentity();
+        found.m_c1 = place.arm;
+        found.m_c2 = node.m_im * btScalar(substep);
+        found.m_c3 = btScalar(contact.friction);
+        found.m_c4 = 1;
+        found.t1.setZero();
+        found.t2.setZero();
+        body.m_rcontacts.push_back(found);
+    }
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,66 @@
+#include "bullet/state/bullet_pass.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+void BulletPass::vector(btVector3& value, double most) {
+    btScalar parts[3] = {value.x(), value.y(), value.z()};
+    for (btScalar& part : parts) number(part, -most, most);
+    if (restores()) value.setValue(parts[0], parts[1], parts[2]);
+}
+
+void BulletPass::matrix(btMatrix3x3& value) {
+    for (int row = 0; row < 3; ++row) vector(value[row], unlimited);
+}
+
+void BulletPass::node(MovingNode& value) {
+    for (float* part : {&value.x, &value.y, &value.z, &value.inverseMass}) number(*part, -1e9, 1e9);
+}
+
+void BulletPass::nodes(std::vector<MovingNode>& values, std::size_t count) {
+    for (std::size_t n = 0; n < count; ++n) node(values[n]);
+}
+
+void BulletPass::nameAll() {
+    const auto& all = world_.getCollisionObjectArray();
+    for (int i = 0; i < all.size(); ++i) places_.emplace(all[i], i);
+}
+
+const btCollisionObject* BulletPass::object(const btCollisionObject* now, Which which) {
+    if (!saves()) return readObject(which);
+    const auto found = places_.find(now);
+    std::int32_t place = found == places_.end() ? -1 : found->second;
+    number(place);
+    return now;
+}
+
+const btCollisionObject* BulletPass::readObject(Which which) {
+    const auto place = reader().read<std::int32_t>();
+    const auto& all = world_.getCollisionObjectArray();
+    if (place == -1) return nullptr;
+    if (place < 0 || place >= all.size())
+        throw std::runtime_error("drench: the snapshot's sheet touches object " + std::to_string(place) +
+                                 " of its world, and this world has " + std::to_string(all.size()) +
+                                 "; add the same objects in the same order");
+    const bool isSoft = all[place]->getInternalType() == btCollisionObject::CO_SOFT_BODY;
+    if (isSoft != (which == Which::soft))
+        throw std::runtime_error("drench: object " + std::to_string(place) + " of this world is " +
+                                 (isSoft ? "a soft body, where the snapshot's is none"
+                                         : "no soft body, where the snapshot's is one") +
+                                 "; add the same objects in the same order");
+    return all[place];
+}
+
+const btSoftBody* BulletPass::ownerOf(const btSoftBody::Face* face) const {
+    const auto& all = world_.getCollisionObjectArray();
+    for (int i = 0; i < all.size(); ++i) {
+        const btSoftBody* const body = btSoftBody::upcast(all[i]);
+        if (!body || body->m_faces.size() == 0) continue;
+        const btSoftBody::Face* const first = &body->m_faces[0];
+        if (face >= first && face < first + body->m_faces.size()) return body;
+    }
+    return nullptr;
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

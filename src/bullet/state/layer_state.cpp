@@ -1,0 +1,313 @@
+// What a layer keeps from step to step, as a snapshot.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "bullet/layer/layer.h"
+#include "bullet/small_steps/moving_sheet.h"
+#include "bullet/state/body_state.h"
+#include "bullet/state/bullet_pass.h"
+#include "bullet/state/snapshot_sections.h"
+#include "state/checksum.h"
+#include "state/snapshot_bytes.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+template <typename... Parts>
+[[noreturn]] void refuse(const Parts&... parts) {
+    std::ostringstream message;
+    message << "drench: the snapshot is of another sheet: ";
+    (message << ... << parts);
+    throw std::runtime_error(message.str());
+}
+
+void checkSame(const char* what, std::uint64_t saved, std::uint64_t here) {
+    if (saved != here) refuse("it has ", saved, ' ', what, ", and this one has ", here);
+}
+
+/// Within what another compiler may make of the same body.
+void checkAlike(const char* what, std::size_t index, float saved, double here) {
+    constexpr double rounding = 1e-5;
+    if (!(std::abs(double(saved) - here) <= rounding * (1 + std::abs(here))))
+        refuse(what, ' ', index, " is at ", saved, " m there, and at ", here, " m here");
+}
+
+}  // namespace
+
+template <typename Each>
+void WetCloth::Layer::forEachSection(Each each) {
+    each("CLTH", &Layer::clothState);
+    each("BODY", &Layer::bodyState);
+    each("WATR", &Layer::waterState);
+    each("MECH", &Layer::mechanicsState);
+    each("TUCH", &Layer::touchState);
+    each("AIRS", &Layer::airState);
+    each("TIME", &Layer::momentState);
+}
+
+Snapshot WetCloth::Layer::snapshot() {
+    checkBetweenSteps();
+    StateWriter all;
+    forEachSection([&](const char* name, auto state) {
+        StateWriter section;
+        BulletPass pass(section, world);
+        (this->*state)(pass);
+        writeSection(all, name, section);
+    });
+    StateWriter sources;
+    saveSources(sources);
+    writeSection(all, sourcesSection, sources);
+    const auto count = [](int size) { return static_cast<std::uint64_t>(size); };
+    Snapshot made(snapshotBytes({sizeof(btScalar), count(body.m_nodes.size()), count(body.m_links.size()),
+                                 count(body.m_faces.size()), topologyHash()},
+                                all.bytes()));
+    // What could not be restored is better known now.
+    try {
+        checkSections(made);
+    } catch (const std::runtime_error& problem) {
+        throw std::runtime_error("drench: no snapshot can be made of this sheet, which is not well: " +
+                                 std::string(problem.what()));
+    }
+    return made;
+}
+
+void WetCloth::Layer::restore(const Snapshot& snapshot) {
+    checkBetweenSteps();
+    checkSameSheet(snapshot);
+    checkSections(snapshot);
+    restoreSections(snapshot);
+    pose.gather(body, mesh);  // where nodes go back to, should they get lost
+    world.updateAabbs();      // in which rays look for solids, before the next step brings them up to date
+}
+
+void WetCloth::Layer::checkBetweenSteps() const {
+    if (supplying)
+        throw std::logic_error(
+            "drench: within a step a sheet has no state to keep or restore; wait for its end");
+    if (!watch.bodyIsAlive() || !body.getBroadphaseHandle() || !isInWorld())
+        throw std::logic_error(
+            "drench: the body is in no world, where its contacts had names; add it to the world of its "
+            "WetCloth "
+            "first");
+    if (!fits())
+        throw std::logic_error(
+            "drench: the body has got or lost nodes, links or faces since the last step; step once, so that "
+            "its "
+            "WetCloth can follow");
+}
+
+void WetCloth::Layer::checkSameSheet(const Snapshot& snapshot) const {
+    if (snapshot.precision() != sizeof(btScalar))
+        refuse("it comes from ", snapshot.precision() == 4 ? "single" : "double",
+               "-precision Bullet, and this library is for ", sizeof(btScalar) == 4 ? "single" : "double",
+               " precision");
+    checkSame("nodes", snapshot.nodes(), static_cast<std::uint64_t>(body.m_nodes.size()));
+    checkSame("links", snapshot.links(), static_cast<std::uint64_t>(body.m_links.size()));
+    checkSame("faces", snapshot.faces(), static_cast<std::uint64_t>(body.m_faces.size()));
+    if (snapshot.topology() != topologyHash())
+        refuse(
+            "its links or faces join other nodes; build the body in the same way, and attach before links "
+            "change");
+}
+
+std::uint64_t WetCloth::Layer::topologyHash() const {
+    StateWriter writer;
+    for (const auto& triangle : mechanics.shape.triangles)
+        for (const int node : triangle) writer.write(static_cast<std::int32_t>(node));
+    for (const LinkNodes& link : mechanics.shape.links) {
+        for (const int node : link.nodes) writer.write(static_cast<std::int32_t>(node));
+        writer.write(link.bending);
+    }
+    return checksumOf(writer.bytes());
+}
+
+/// Changes nothing.
+void WetCloth::Layer::checkSections(const Snapshot& snapshot) {
+    StateReader reader(snapshot.state());
+    forEachSection([&](const char* name, auto state) {
+        StateReader section = readSection(reader, name);
+        BulletPass pass(section, StatePass::Kind::check, world);
+        (this->*state)(pass);
+        checkEnd(section, name);
+    });
+    checkSources(readSection(reader, sourcesSection));
+    checkEnd(reader, "END");
+}
+
+/// Sources, of which an application's own may refuse, come first.
+/// @pre the sections are checked
+void WetCloth::Layer::restoreSections(const Snapshot& snapshot) {
+    StateReader ahead(snapshot.state());
+    forEachSection([&](const char* name, auto) { readSection(ahead, name); });
+    loadSources(readSection(ahead, sourcesSection));
+    StateReader reader(snapshot.state());
+    forEachSection([&](const char* name, auto state) {
+        StateReader section = readSection(reader, name);
+        BulletPass pass(section, StatePass::Kind::restore, world);
+        (this->*state)(pass);
+    });
+}
+
+/// What does not change, so that another sheet is told.
+void WetCloth::Layer::clothState(BulletPass& pass) {
+    const std::string name = pass.value(fabric.name);
+    checkSame("parameters of its fabric", pass.count(fabricParameters().size()), fabricParameters().size());
+    for (const FabricParameter& parameter : fabricParameters()) {
+        const double here = fabric.*parameter.member, saved = pass.value(here);
+        if (saved != here)
+            refuse("the ", parameter.name, " of its fabric, ", name, ", is ", saved, ' ', parameter.unit,
+                   ", and that of this one's, ", fabric.name, ", is ", here);
+    }
+    for (std::size_t i = 0; i < mechanics.shape.restLengths.size(); ++i) {
+        const auto here = double(mechanics.shape.restLengths[i]);
+        checkAlike("the end of link", i, pass.value(static_cast<float>(here)), here);
+    }
+    for (std::size_t n = 0; n < coordinates.size(); ++n)
+        for (const double here : coordinates[n])
+            checkAlike("the material coordinate of node", n, pass.value(static_cast<float>(here)), here);
+}
+
+void WetCloth::Layer::bodyState(BulletPass& pass) {
+    const bool isDeformableHere = deformable != nullptr;
+    if (pass.value(isDeformableHere) != isDeformableHere)
+        refuse(isDeformableHere ? "it was in a soft-rigid world, and this one is in a deformable one"
+                                : "it was in a deformable world, and this one is in a soft-rigid one");
+    BodyState state(body, isDeformableHere);
+    pass.part(state);
+}
+
+void WetCloth::Layer::waterState(BulletPass& pass) {
+    static_cast<StatePass&>(pass).part(moisture);
+    for (Arrival& arrival : arrivals) {
+        pass.number(arrival.carried, 0);
+        pass.number(arrival.mass, 0);
+        pass.vector(arrival.momentum);
+    }
+}
+
+void WetCloth::Layer::mechanicsState(BulletPass& pass) {
+    if (pass.restores()) mechanics.evaluate(laws, moisture);
+    pass.numbers(mechanics.masses, 0, BulletPass::farthest);
+    pass.flag(mechanics.movedBySmallSteps);
+    pass.number(mechanics.smallSteps, 0);
+    pass.number(mechanics.heldSubsteps, 0);
+    if (pass.restores()) heldSubsteps = mechanics.heldSubsteps;
+    const bool moves = pass.value(mechanics.moving != nullptr);
+    if (!moves) {
+        if (pass.restores()) mechanics.moving.reset();
+        return;
+    }
+    std::shared_ptr<MovingSheet> moving = mechanics.moving;
+    if (!moving) moving = std::make_shared<MovingSheet>(mechanics);
+    pass.part(moving->cloth);
+    if (pass.restores()) mechanics.moving = std::move(moving);
+}
+
+void WetCloth::Layer::touchState(BulletPass& pass) {
+    pass.part(mechanics.grip);
+    pass.part(stockContacts);
+    ContactState touched(body, deformable != nullptr);
+    pass.part(touched);
+    for (Contact& contact : contacts) {
+        pass.number(contact.touchesUntil);
+        pass.number(contact.liesUntil);
+    }
+    pass.number(touchedUntil);
+}
+
+void WetCloth::Layer::airState(BulletPass& pass) {
+    pass.part(winds);
+    pass.part(submersion);
+    pass.part(fluidForces);
+}
+
+void WetCloth::Layer::momentState(BulletPass& pass) {
+    pass.number(time, 0);
+    std::vector<Drop> all(drops.begin(), drops.end());
+    pass.list(
+        all,
+        [&](Drop& drop) {
+            pass.vector(drop.position);
+            pass.vector(drop.velocity);
+            pass.number(drop.mass, 0);
+            pass.number(drop.count, 0);
+            pass.number(drop.time, 0);
+            pass.number(drop.node, 0, double(mesh.size()) - 1);
+        },
+        mostDropsKept);
+    if (pass.restores()) drops.assign(all.begin(), all.end());
+}
+
+void WetCloth::Layer::saveSources(StateWriter& writer) const {
+    writer.write(static_cast<std::uint64_t>(suppliers.size()));
+    for (const Supplier& supplier : suppliers) {
+        StateWriter state, unnoticed;
+        supplier.source->save(state);
+        BulletPass pass(unnoticed, world);
+        pass.part(*supplier.supply);
+        for (const std::string& text : {supplier.source->name(), state.bytes(), unnoticed.bytes()})
+            writer.write(text);
+    }
+}
+
+void WetCloth::Layer::checkSources(StateReader reader) const {
+    checkSame("sources", reader.read<std::uint64_t>(), suppliers.size());
+    for (std::size_t i = 0; i < suppliers.size(); ++i) {
+        const std::string saved = reader.readText(), here = suppliers[i].source->name();
+        if (saved != here)
+            refuse("its source ", i, " is of the name ", saved, ", and this one's is ", here,
+                   "; add the same sources in the same order");
+        reader.readText();
+        const std::string unnoticed = reader.readText();
+        StateReader supply(unnoticed);
+        BulletPass pass(supply, StatePass::Kind::check, world);
+        pass.part(*suppliers[i].supply);
+        checkEnd(supply, sourcesSection);
+    }
+    checkEnd(reader, sourcesSection);
+}
+
+/// All sources or none. @pre they are checked
+void WetCloth::Layer::loadSources(StateReader reader) {
+    std::vector<StateWriter> before(suppliers.size());
+    for (std::size_t i = 0; i < suppliers.size(); ++i) suppliers[i].source->save(before[i]);
+    StateReader unnoticed = reader;
+    reader.read<std::uint64_t>();
+    std::size_t tried = 0;
+    try {
+        while (tried < suppliers.size()) {
+            reader.readText();
+            const std::string saved = reader.readText();
+            reader.readText();
+            StateReader state(saved);
+            suppliers[tried++].source->load(state);
+            checkEnd(state, sourcesSection);
+        }
+    } catch (...) {
+        for (std::size_t i = 0; i < tried; ++i) {
+            StateReader back(before[i].bytes());
+            suppliers[i].source->load(back);
+        }
+        throw;
+    }
+    restoreUnnoticed(unnoticed);
+}
+
+void WetCloth::Layer::restoreUnnoticed(StateReader reader) {
+    reader.read<std::uint64_t>();
+    for (Supplier& supplier : suppliers) {
+        reader.readText();
+        reader.readText();
+        const std::string saved = reader.readText();
+        StateReader state(saved);
+        BulletPass pass(state, StatePass::Kind::restore, world);
+        pass.part(*supplier.supply);
+    }
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

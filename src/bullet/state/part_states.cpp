@@ -1,0 +1,120 @@
+// What the parts of a layer keep from step to step.
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bullet/bullet_solvers/stock_contacts.h"
+#include "bullet/contact/grip.h"
+#include "bullet/fluid/fluid_forces.h"
+#include "bullet/fluid/submersion.h"
+#include "bullet/fluid/wind_at_nodes.h"
+#include "bullet/layer/account_supply.h"
+#include "bullet/repair/mending.h"
+#include "bullet/small_steps/small_step_sheet.h"
+#include "bullet/state/bullet_pass.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+void AccountSupply::state(BulletPass& pass) {
+    pass.number(unnoticed_, 0);
+}
+
+void FluidForces::state(BulletPass& pass) {
+    const std::size_t count = areas_.size();
+    for (auto* nodes : {&accelerations_, &forces_, &lastVelocities_, &meantChanges_, &changes_})
+        pass.nodes(*nodes, count);
+    for (std::size_t n = 0; n < count; ++n) {
+        pass.number(fluid_[n].share, 0, 1);
+        pass.number(fluid_[n].shareBefore, 0, 1);
+        pass.number(fluid_[n].massPerArea, 0);
+        pass.number(fluid_[n].permeability, 0);
+    }
+    pass.list(
+        wet_, [&](std::size_t& node) { pass.index(node, count - 1); }, count);
+    pass.flag(isGoingOn_);
+    pass.flag(hasRested_);
+    pass.number(lastSubstep_, 0);
+    for (MovingNode* gravity : {&gravity_, &lastGravity_})
+        for (float* part : {&gravity->x, &gravity->y, &gravity->z, &gravity->inverseMass})
+            pass.number(*part, -strongestGravity, strongestGravity);
+}
+
+void Grip::state(BulletPass& pass) {
+    for (const btCollisionObject*& bond : bondedTo) {
+        const btCollisionObject* const solid = pass.object(bond, BulletPass::Which::solid);
+        if (pass.restores()) bond = solid;
+    }
+    for (const btCollisionObject*& bond : bondedToCloth) {
+        const btCollisionObject* const cloth = pass.object(bond, BulletPass::Which::soft);
+        if (pass.restores()) bond = cloth;
+    }
+}
+
+void SmallStepSheet::state(BulletPass& pass) {
+    const std::size_t size = pass.count(end_.size(), count_);
+    if (size != 0 && size != count_)
+        throw std::runtime_error("drench: a saved sheet has ended its last step with " +
+                                 std::to_string(size) + " of its " + std::to_string(count_) + " nodes");
+    if (pass.restores()) end_.resize(size);
+    btVector3 unused(0, 0, 0);
+    for (std::size_t n = 0; n < size; ++n) pass.vector(n < end_.size() ? end_[n] : unused);
+    for (PlateState& plates : plateStates_)
+        for (auto& component : plates.slid)
+            for (float& curvature : component) pass.number(curvature);
+}
+
+void StockContacts::state(BulletPass& pass) {
+    const std::size_t size = pass.count(stuck_.size());
+    if (pass.restores()) stuck_.assign(size, {});
+    for (std::size_t n = 0; n < size; ++n) {
+        Stuck read;
+        Stuck& stuck = pass.saves() ? stuck_[n] : read;
+        const btCollisionObject* const object = pass.object(stuck.object, BulletPass::Which::solid);
+        if (!object || (pass.saves() && !pass.knows(object))) continue;
+        pass.vector(stuck.place);
+        read.object = object;
+        if (pass.restores()) stuck_[n] = read;
+    }
+}
+
+void Submersion::state(BulletPass& pass) {
+    struct Under {
+        std::size_t node = 0;
+        float depth = 0;
+        MovingNode velocity = {0, 0, 0, 0};
+    };
+    std::vector<Under> all;
+    if (pass.saves())
+        for (const std::size_t node : nodes_) all.push_back({node, depths_[node], velocities_[node]});
+    pass.list(
+        all,
+        [&](Under& under) {
+            pass.index(under.node, isUnder_.size() - 1);
+            pass.number(under.depth, -1e9, 1e9);
+            pass.node(under.velocity);
+        },
+        isUnder_.size());
+    if (!pass.restores()) return;
+    forget();
+    for (const Under& under : all)
+        submerge(under.node, double(under.depth),
+                 {double(under.velocity.x), double(under.velocity.y), double(under.velocity.z)});
+}
+
+void WindAtNodes::state(BulletPass& pass) {
+    for (std::size_t& points : points_) {
+        const auto passed = pass.value(static_cast<std::uint64_t>(points), 2, mostPoints);
+        if (pass.restores()) points = static_cast<std::size_t>(passed);
+    }
+    for (Patch& patch : patches_) {
+        pass.number(patch.passing, 0, 1);
+        pass.number(patch.share, 0, 1);
+    }
+    pass.index(nextRay_, patches_.empty() ? 0 : patches_.size() - 1);
+    pass.flag(isSheltered_);
+    if (pass.restores()) isUniform_ = false;  // so that the next step fills the velocities anew
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

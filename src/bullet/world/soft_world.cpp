@@ -1,0 +1,73 @@
+#include "bullet/world/soft_world.h"
+
+#include <BulletSoftBody/btDeformableMultiBodyDynamicsWorld.h>
+#include <BulletSoftBody/btSoftMultiBodyDynamicsWorld.h>
+#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+using DeformableFlag = bool btDeformableMultiBodyDynamicsWorld::*;
+
+/// Bullet has setImplicit and setUseProjection but no way to ask, and keeps both where a derived class may
+/// not look either. An explicit instantiation may name private members, and hands them out by a friend.
+DeformableFlag implicitFlag();
+DeformableFlag projectionFlag();
+template <DeformableFlag implicit, DeformableFlag projection>
+struct Revealed {
+    friend DeformableFlag implicitFlag() { return implicit; }
+    friend DeformableFlag projectionFlag() { return projection; }
+};
+template struct Revealed<&btDeformableMultiBodyDynamicsWorld::m_implicit,
+                         &btDeformableMultiBodyDynamicsWorld::m_useProjection>;
+
+/// Calls `use` with the world as what it is.
+template <typename Use>
+decltype(auto) withSoftWorld(btDiscreteDynamicsWorld& world, Use use) {
+    switch (world.getWorldType()) {
+        case BT_SOFT_RIGID_DYNAMICS_WORLD:
+            return use(static_cast<btSoftRigidDynamicsWorld&>(world));
+        case BT_SOFT_MULTIBODY_DYNAMICS_WORLD:
+            return use(static_cast<btSoftMultiBodyDynamicsWorld&>(world));
+        case BT_DEFORMABLE_MULTIBODY_DYNAMICS_WORLD:
+            return use(static_cast<btDeformableMultiBodyDynamicsWorld&>(world));
+        default:
+            throw std::invalid_argument("drench: a world of type " + std::to_string(world.getWorldType()) +
+                                        " has no soft bodies; give a btSoftRigidDynamicsWorld, "
+                                        "btSoftMultiBodyDynamicsWorld or btDeformableMultiBodyDynamicsWorld");
+    }
+}
+
+}  // namespace
+
+btDiscreteDynamicsWorld& checkedSoftWorld(btDiscreteDynamicsWorld& world) {
+    return withSoftWorld(world, [](auto& known) -> btDiscreteDynamicsWorld& { return known; });
+}
+
+bool isDeformable(const btDiscreteDynamicsWorld& world) {
+    return world.getWorldType() == BT_DEFORMABLE_MULTIBODY_DYNAMICS_WORLD;
+}
+
+const btAlignedObjectArray<btSoftBody*>& softBodiesOf(btDiscreteDynamicsWorld& world) {
+    return withSoftWorld(world, [](auto& known) -> const btAlignedObjectArray<btSoftBody*>& {
+        return known.getSoftBodyArray();
+    });
+}
+
+const btSoftBodyWorldInfo& worldInfoOf(btDiscreteDynamicsWorld& world) {
+    return withSoftWorld(world,
+                         [](auto& known) -> const btSoftBodyWorldInfo& { return known.getWorldInfo(); });
+}
+
+DeformableMode deformableModeOf(const btDiscreteDynamicsWorld& world) {
+    const auto& deformable = static_cast<const btDeformableMultiBodyDynamicsWorld&>(world);
+    return {deformable.*implicitFlag(), deformable.*projectionFlag()};
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

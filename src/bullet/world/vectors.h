@@ -1,0 +1,33 @@
+// Between Bullet's vectors, Eigen's and packed ones.
+#pragma once
+
+#include <LinearMath/btVector3.h>
+
+#include <Eigen/Core>
+
+#include "bullet/small_steps/small_step_kernels.h"
+#include "drench/precision.h"
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+
+inline Eigen::Vector3d toEigen(const btVector3& v) {
+    return {double(v.x()), double(v.y()), double(v.z())};
+}
+
+inline btVector3 toBullet(const Eigen::Vector3d& v) {
+    return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
+}
+
+inline btVector3 vectorOf(const MovingNode& node) {
+    return {btScalar(node.x), btScalar(node.y), btScalar(node.z)};
+}
+
+inline void shift(MovingNode& node, const btVector3& by) {
+    node.x += float(by.x());
+    node.y += float(by.y());
+    node.z += float(by.z());
+}
+
+}  // namespace DRENCH_BULLET_NAMESPACE
+}  // namespace drench

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "drench/sources.h"
+#include "drench/water.h"
+#include "state/checks.h"
+
+namespace drench {
+
+namespace {
+
+void checkSettings(const Pool& pool) {
+    checkRange("Pool::level", pool.level, "m", -1e9, 1e9);
+    for (int axis = 0; axis < 2; ++axis) {
+        checkRange("Pool::from", pool.from[axis], "m", -1e9, 1e9);
+        checkRange("Pool::to", pool.to[axis], "m", -1e9, 1e9);
+        if (pool.from[axis] > pool.to[axis])
+            throw std::invalid_argument(
+                "drench: Pool::from lies beyond Pool::to; exchange them so that from is the smaller");
+    }
+}
+
+// The axis of the world that is nearest to the way up. Of equals it is y, then z, as most worlds have it.
+int axisAlong(const Eigen::Vector3d& up) {
+    int found = 1;
+    for (const int axis : {2, 0})
+        if (std::abs(up[axis]) > std::abs(up[found])) found = axis;
+    return found;
+}
+
+// Unit vectors along the two sides of the rectangle: see the comment at Pool::from.
+std::array<Eigen::Vector3d, 2> sidesAcross(const Eigen::Vector3d& up) {
+    const int along = axisAlong(up);
+    Eigen::Vector3d first = Eigen::Vector3d::Unit(along == 0 ? 1 : 0);
+    first = (first - first.dot(up) * up).normalized();
+    Eigen::Vector3d second = Eigen::Vector3d::Unit(along == 2 ? 1 : 2);
+    second -= second.dot(up) * up;
+    second = (second - second.dot(first) * first).normalized();
+    return {first, second};
+}
+
+// Film on a face that moves through the surface, m: what Landau & Levich (1942) say of a plate that is drawn out
+// of a liquid. What would run off within the step is not drawn at all, or cloth grew heavy and light again: after
+// a time t there is (mu L / (rho g t))^1/2 at a length L below the upper edge (Jeffreys 1930).
+double drawnFilm(double speed, const SheetPose& sheet, double dt) {
+    const double weight = waterDensity * sheet.gravity;
+    const double capillaryLength = std::sqrt(waterSurfaceTension / weight);
+    const double capillaryNumber = waterViscosity * speed / waterSurfaceTension;
+    const double drawn = 0.94 * capillaryLength * std::cbrt(capillaryNumber * capillaryNumber);
+    const double left = std::sqrt(waterViscosity * std::sqrt(sheet.totalArea) / (weight * dt));
+    return std::clamp(std::min(drawn, left), retainedFilmThickness, thickestFilm);
+}
+
+// Water reaches up to cloth as a meniscus does. What floats is in it, however high: thick cloth that is mostly
+// air floats higher. Cloth that bobs comes a little higher still.
+bool touches(double depth, double share, const SheetPose& sheet) {
+    constexpr double meniscus = 2.7e-3;  // m: the capillary length, (gamma / (rho g))^1/2 on earth (textbook)
+    constexpr double bobbing = 0.9;      // assumed
+    return depth > -meniscus || share > bobbing * sheet.floatingShare;
+}
+
+// What pores lack comes over the faces, from where the step takes it up at the pace of the fabric's wetting.
+void wet(const SheetPose& sheet, std::size_t node, double dt, Supply& supply) {
+    const double area = sheet.mesh.areas[node];
+    const double missing = std::max(0.0, sheet.poreCapacity * area - sheet.poreMass[node]);
+    const double soaking = missing * -std::expm1(-dt / sheet.wettingTime);
+    const double drawn = 2 * waterDensity * area * drawnFilm(sheet.velocities[node].norm(), sheet, dt);
+    const double surplus = sheet.filmMass[node] - (drawn + soaking);
+    // At rest, as the pool is: were it to come with the cloth's velocity, cloth that vibrates would gain energy.
+    if (surplus < 0) supply.addFilm(node, -surplus, Eigen::Vector3d::Zero());
+    if (surplus > 0) supply.takeFilm(node, surplus);
+    supply.cover(node, 1);
+}
+
+}  // namespace
+
+void Pool::supply(const SheetPose& sheet, double dt, Supply& supply) {
+    checkSettings(*this);
+    checkStep(dt);
+    // Without gravity nothing keeps a pool level, or together.
+    if (sheet.up.isZero() || !(sheet.gravity > 0)) return;
+    const auto sides = sidesAcross(sheet.up);
+    for (std::size_t node = 0; node < sheet.mesh.size(); ++node) {
+        const Eigen::Vector3d& place = sheet.positions[node];
+        const Eigen::Vector2d across(place.dot(sides[0]), place.dot(sides[1]));
+        const bool inside = (across.array() >= from.array()).all() && (across.array() <= to.array()).all();
+        if (!inside || !(sheet.mesh.areas[node] > 0)) continue;
+        const double depth = level - place.dot(sheet.up), share = shareUnderWater(depth);
+        if (!(share > 0)) continue;
+        if (dt > 0 && touches(depth, share, sheet)) wet(sheet, node, dt, supply);
+        supply.submerge(node, depth, Eigen::Vector3d::Zero());
+    }
+}
+
+}  // namespace drench

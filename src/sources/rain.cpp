@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+#include "drench/sources.h"
+#include "state/checks.h"
+
+namespace drench {
+
+namespace {
+
+// Cloth stretched to more than this many times its rest area catches no more than it does at that.
+constexpr double mostStretched = 1.5;
+// A ray for shelter starts so far off the node that things which touch the cloth do not count, m.
+constexpr double rayStart = 0.01;
+// Rain that falls at a flatter slope than 1 in 100 would ask for endless water on anything upright.
+constexpr double leastSteepness = 0.01;
+
+void checkSettings(const Rain& rain) {
+    checkRange("Rain::intensity", rain.intensity, "mm/h", 0, 1000);
+    checkRange("the speed of Rain::velocity", rain.velocity.norm(), "m/s", 0.1, 50);
+    checkRange("Rain::shelterHeight", rain.shelterHeight, "m", 0, 1000);
+    checkRange("Rain::dropMass", rain.dropMass, "kg", 1e-8, 1e-4);
+    checkRange("Rain::mostDrops", rain.mostDrops, "", 1, 1e6);
+}
+
+// How much of the fall goes down. Without gravity there is no down but the fall itself.
+double steepness(const Rain& rain, const Eigen::Vector3d& fall, const Eigen::Vector3d& up) {
+    if (up.isZero()) return 1;
+    const double down = -fall.dot(up);
+    if (down >= leastSteepness) return down;
+    std::ostringstream message;
+    message << "drench: Rain::velocity (" << rain.velocity.transpose() << ") m/s does not fall where up is ("
+            << up.transpose() << "); give it at least " << leastSteepness << " of its speed downwards";
+    throw std::invalid_argument(message.str());
+}
+
+// A Poisson number. Past a million it scatters by less than a thousandth, which is not worth a draw.
+double randomCount(double mean, std::mt19937& random) {
+    if (!(mean > 0)) return 0;
+    if (mean > 1e6) return mean;
+    return static_cast<double>(std::poisson_distribution<long long>(mean)(random));
+}
+
+bool sheltered(const SheetPose& sheet, std::size_t node, const Eigen::Vector3d& fall, double height) {
+    if (height <= rayStart) return false;
+    const Eigen::Vector3d& place = sheet.positions[node];
+    return sheet.shelter.blocked(place - rayStart * fall, place - height * fall);
+}
+
+}  // namespace
+
+Rain::Rain(double initialIntensity, std::uint32_t seed) : intensity(initialIntensity), random_(seed) {}
+
+void Rain::supply(const SheetPose& sheet, double dt, Supply& supply) {
+    checkSettings(*this);
+    checkStep(dt);
+    const Eigen::Vector3d fall = velocity.normalized();
+    // 1 mm on level ground is 1 kg/m2; slanted rain brings as much to the ground, so more across its fall.
+    const double fluxAcross = intensity / 3600 / steepness(*this, fall, sheet.up);
+    sumAreas(sheet.mesh.areas);
+    if (areaUpTo_.empty() || dt == 0) return;
+
+    // More drops are drawn than can land, and each is kept as often as its node really stands in its way:
+    // this gives every node its own Poisson stream without a visit to every node.
+    const double total = areaUpTo_.back();
+    const double drawn = randomCount(fluxAcross * total * mostStretched * dt / dropMass, random_);
+    const int count = static_cast<int>(std::min(drawn, static_cast<double>(mostDrops)));
+    const double massEach = count > 0 ? dropMass * (drawn / count) : 0;
+    std::uniform_real_distribution<double> anywhere(0, total), share(0, 1);
+    for (int drop = 0; drop < count; ++drop) {
+        const auto found = std::upper_bound(areaUpTo_.begin(), areaUpTo_.end(), anywhere(random_));
+        const double chance = share(random_);
+        if (found == areaUpTo_.end()) continue;
+        const auto node = static_cast<std::size_t>(found - areaUpTo_.begin());
+        const double across = std::abs(sheet.areaVector(node).dot(fall));
+        if (!(chance * mostStretched * sheet.mesh.areas[node] < across)) continue;
+        if (!sheltered(sheet, node, fall, shelterHeight)) supply.addFilm(node, massEach, velocity);
+    }
+}
+
+// The standard shows the state of a generator as text only: whole numbers with spaces between them.
+void Rain::save(StateWriter& writer) const {
+    std::stringstream text;
+    text.imbue(std::locale::classic());
+    text << random_;
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t number = 0; text >> number;) numbers.push_back(number);
+    writer.write(numbers);
+}
+
+void Rain::load(StateReader& reader) {
+    std::stringstream text;
+    text.imbue(std::locale::classic());
+    for (const std::uint32_t number : reader.readMany<std::uint32_t>()) text << number << ' ';
+    std::mt19937 random;
+    if (!(text >> random)) throw std::runtime_error("drench: a Rain's random numbers have no such state");
+    random_ = random;
+}
+
+// Summed anew at every step, which costs less than one ray: the same rain may fall on several sheets.
+void Rain::sumAreas(const std::vector<double>& areas) {
+    areaUpTo_.resize(areas.size());
+    std::partial_sum(areas.begin(), areas.end(), areaUpTo_.begin());
+}
+
+}  // namespace drench

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "drench/sources.h"
+#include "state/checks.h"
+
+namespace drench {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+// Nearer than this a node counts as this far away, m: at the nozzle itself it would fill the whole view.
+constexpr double nearest = 1e-3;
+// A ray for shelter ends so far before the node that things which touch the cloth do not count, m.
+constexpr double rayEnd = 0.01;
+
+void checkSettings(const Spray& spray) {
+    checkPlace("Spray::origin", spray.origin);
+    checkPlace("Spray::direction", spray.direction);
+    if (!(spray.direction.norm() > 0))
+        throw std::invalid_argument("drench: Spray::direction is zero; give the way that the nozzle points");
+    checkRange("Spray::halfAngle", spray.halfAngle, "rad", 0.01, 1.5);
+    checkRange("Spray::rate", spray.rate, "kg/s", 0, 1000);
+    checkRange("Spray::speed", spray.speed, "m/s", 0, 100);
+    checkRange("Spray::raysPerStep", spray.raysPerStep, "", 1, 1e6);
+}
+
+// Unit vector from the nozzle to a place; at the nozzle itself, along the cone.
+Eigen::Vector3d wayTo(const Spray& spray, const Eigen::Vector3d& place) {
+    const Eigen::Vector3d offset = place - spray.origin;
+    const double distance = offset.norm();
+    if (distance > 0) return offset / distance;
+    return spray.direction.normalized();
+}
+
+// Solid angle of a node as seen from the nozzle, sr; 0 outside the cone.
+double solidAngle(const Spray& spray, const SheetPose& sheet, std::size_t node) {
+    if (!(sheet.mesh.areas[node] > 0)) return 0;
+    const Eigen::Vector3d& place = sheet.positions[node];
+    const Eigen::Vector3d way = wayTo(spray, place);
+    if (!(way.dot(spray.direction.normalized()) >= std::cos(spray.halfAngle))) return 0;
+    const double distance = std::max((place - spray.origin).norm(), nearest);
+    return std::abs(sheet.areaVector(node).dot(way)) / (distance * distance);
+}
+
+bool blockedOnTheWay(const Spray& spray, const SheetPose& sheet, std::size_t node) {
+    const Eigen::Vector3d& place = sheet.positions[node];
+    if ((place - spray.origin).norm() <= rayEnd) return false;
+    return sheet.shelter.blocked(spray.origin, place - rayEnd * wayTo(spray, place));
+}
+
+}  // namespace
+
+Spray::Spray(const Eigen::Vector3d& initialOrigin, const Eigen::Vector3d& initialDirection,
+             double initialRate)
+    : origin(initialOrigin), direction(initialDirection), rate(initialRate) {}
+
+void Spray::supply(const SheetPose& sheet, double dt, Supply& supply) {
+    checkSettings(*this);
+    checkStep(dt);
+    if (dt == 0) return;
+    shareOut(sheet);
+    askForShelter(sheet);
+    for (std::size_t node = 0; node < shares_.size(); ++node) {
+        const double mass = rate * dt * shares_[node];
+        if (!(mass > 0) || sheltered_[node]) continue;
+        supply.addFilm(node, mass, speed * wayTo(*this, sheet.positions[node]));
+    }
+}
+
+void Spray::save(StateWriter& writer) const {
+    writer.write(static_cast<std::uint64_t>(nextRay_));
+    writer.write(sheltered_);
+}
+
+void Spray::load(StateReader& reader) {
+    const auto next = reader.read<std::uint64_t>();
+    std::vector<char> sheltered = reader.readMany<char>();
+    nextRay_ = static_cast<std::size_t>(next);  // beyond the last node it begins again
+    sheltered_ = std::move(sheltered);          // for another number of nodes it is asked for anew
+}
+
+void Spray::shareOut(const SheetPose& sheet) {
+    const double cone = 2 * pi * (1 - std::cos(halfAngle));
+    shares_.resize(sheet.mesh.size());
+    for (std::size_t node = 0; node < shares_.size(); ++node)
+        shares_[node] = solidAngle(*this, sheet, node) / cone;
+    // Folds behind folds and nodes at the nozzle ask for more than there is.
+    const double sum = std::accumulate(shares_.begin(), shares_.end(), 0.0);
+    if (sum > 1)
+        for (double& share : shares_) share /= sum;
+}
+
+void Spray::askForShelter(const SheetPose& sheet) {
+    const std::size_t count = shares_.size();
+    if (sheltered_.size() != count) sheltered_.assign(count, 0);
+    if (nextRay_ >= count) nextRay_ = 0;
+    int asked = 0;
+    for (std::size_t looked = 0; looked < count && asked < raysPerStep; ++looked) {
+        const std::size_t node = nextRay_;
+        nextRay_ = (nextRay_ + 1) % count;
+        if (!(shares_[node] > 0)) continue;
+        sheltered_[node] = blockedOnTheWay(*this, sheet, node);
+        ++asked;
+    }
+}
+
+}  // namespace drench

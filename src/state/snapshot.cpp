@@ -1,0 +1,129 @@
+#include "drench/snapshot.h"
+
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+#include "drench/state.h"
+#include "state/checksum.h"
+#include "state/snapshot_bytes.h"
+#include "state/whole_file.h"
+
+namespace drench {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// As PNG begins: no text, and spoilt by whatever takes it for one.
+constexpr std::string_view magic =
+    "\x89"
+    "DRN"
+    "CH\r\n";
+constexpr std::size_t checksumSize = sizeof(std::uint64_t);
+// The size stands where it can be compared with what there is before anything else is believed.
+constexpr std::size_t sizeAt = 16, smallest = sizeAt + 8 + checksumSize;
+
+[[noreturn]] void refuse(const std::string& why) {
+    throw std::runtime_error("drench: this is no snapshot to restore: " + why);
+}
+
+void checkKind(std::string_view bytes) {
+    if (bytes.empty()) refuse("it is empty");
+    if (bytes.substr(0, magic.size()) != magic.substr(0, bytes.size()))
+        refuse(
+            "it does not begin as one; it is some other file, or went through a program that changes text");
+    if (bytes.size() < smallest) refuse("it ends within its first bytes; it was cut off");
+}
+
+void checkFormat(std::uint32_t format) {
+    if (format > Snapshot::newestFormat)
+        refuse("its format is " + std::to_string(format) + ", and this library knows formats up to " +
+               std::to_string(Snapshot::newestFormat) + "; use a newer version of Drench");
+    if (format == 0) refuse("its format is 0, which never was");
+}
+
+void checkSize(std::uint64_t claimed, std::size_t there) {
+    if (claimed == there) return;
+    refuse("it should have " + std::to_string(claimed) + " bytes and has " + std::to_string(there) +
+           (claimed > there ? "; it was cut off" : "; something was added to it"));
+}
+
+void checkSum(std::string_view bytes) {
+    const std::string_view summed = bytes.substr(0, bytes.size() - checksumSize);
+    StateReader sum(bytes.substr(summed.size()));
+    if (sum.read<std::uint64_t>() != checksumOf(summed))
+        refuse("its checksum does not fit; its bytes have changed since it was made");
+}
+
+std::string contentsOf(const fs::path& path) {
+    constexpr std::uintmax_t most = std::uintmax_t{1} << 32;
+    if (!fs::exists(path)) throw std::runtime_error("it is not there");
+    if (!fs::is_regular_file(path)) throw std::runtime_error("it is no file");
+    const std::uintmax_t size = fs::file_size(path);
+    if (size > most) throw std::runtime_error("it has over 4 GiB, more than any sheet");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw std::runtime_error("it cannot be opened; may you read it?");
+    std::string contents(static_cast<std::size_t>(size), '\0');
+    file.read(contents.data(), static_cast<std::streamsize>(size));
+    if (!file) throw std::runtime_error("reading it fails");
+    return contents;
+}
+
+}  // namespace
+
+Snapshot::Snapshot(std::string bytes) : bytes_(std::move(bytes)) {
+    checkKind(bytes_);
+    const std::string_view summed(bytes_.data(), bytes_.size() - checksumSize);
+    StateReader reader(summed.substr(magic.size()));
+    checkFormat(reader.read<std::uint32_t>());
+    const auto precision = reader.read<std::uint32_t>();
+    checkSize(reader.read<std::uint64_t>(), bytes_.size());
+    checkSum(bytes_);
+    if (precision != 4 && precision != 8)
+        refuse("its numbers have " + std::to_string(precision) + " bytes; there are those of 4 and of 8");
+    precision_ = static_cast<int>(precision);
+    libraryVersion_ = reader.readText();
+    nodes_ = reader.read<std::uint64_t>();
+    links_ = reader.read<std::uint64_t>();
+    faces_ = reader.read<std::uint64_t>();
+    topology_ = reader.read<std::uint64_t>();
+    stateBegins_ = summed.size() - reader.left();
+}
+
+std::string_view Snapshot::state() const {
+    return std::string_view(bytes_).substr(stateBegins_, bytes_.size() - checksumSize - stateBegins_);
+}
+
+std::uint64_t Snapshot::hash() const {
+    return checksumOf(state());
+}
+
+std::string snapshotBytes(const SnapshotHead& head, std::string_view state) {
+    StateWriter rest;
+    rest.write(std::string_view(DRENCH_VERSION));
+    for (const std::uint64_t number : {head.nodes, head.links, head.faces, head.topology}) rest.write(number);
+    rest.writeBytes(state);
+    StateWriter writer;
+    writer.writeBytes(magic);
+    writer.write(Snapshot::newestFormat);
+    writer.write(static_cast<std::uint32_t>(head.precision));
+    writer.write(static_cast<std::uint64_t>(sizeAt + 8 + rest.bytes().size() + checksumSize));
+    writer.writeBytes(rest.bytes());
+    writer.write(checksumOf(writer.bytes()));
+    return writer.bytes();
+}
+
+void writeSnapshot(const fs::path& path, const Snapshot& snapshot) {
+    files::writeWhole(path, snapshot.bytes());
+}
+
+Snapshot readSnapshot(const fs::path& path) {
+    try {
+        return Snapshot(contentsOf(path));
+    } catch (const std::exception& problem) {
+        throw std::runtime_error("drench: cannot read " + path.string() + ": " + problem.what());
+    }
+}
+
+}  // namespace drench

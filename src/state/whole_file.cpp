@@ -1,0 +1,97 @@
+#include "state/whole_file.h"
+
+#include <fstream>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace drench::files {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where a file stands: a link is followed, so that it goes on being one.
+fs::path place(const fs::path& path) {
+    std::error_code problem;
+    if (!fs::is_symlink(path, problem)) return path;
+    const fs::path target = fs::weakly_canonical(path, problem);
+    return problem ? path : target;
+}
+
+// The name under which a file is written until it is whole.
+fs::path unfinished(const fs::path& path) {
+    std::random_device lot;
+    return path.parent_path() / ("drench-" + std::to_string(lot()) + "-" + std::to_string(lot()) + ".part");
+}
+
+void refuse(const fs::path& path, const std::string& why) {
+    throw std::runtime_error("cannot write " + path.string() + ": " + why);
+}
+
+}  // namespace
+
+void checkWritable(const fs::path& name) {
+    const fs::path path = place(name);
+    std::error_code problem;
+    if (fs::exists(path, problem) && !fs::is_regular_file(path, problem)) {
+        refuse(path, "it is there and is no file");
+    }
+    if (path.has_parent_path()) {
+        fs::create_directories(path.parent_path(), problem);
+    }
+    if (problem) {
+        refuse(path, "its folder cannot be created; choose another");
+    }
+    const fs::path trial = unfinished(path);
+    if (!std::ofstream(trial)) {
+        refuse(path, "its folder lets nobody write, or not you; choose another");
+    }
+    fs::remove(trial, problem);
+}
+
+void writeWhole(const fs::path& name, std::string_view contents) {
+    checkWritable(name);
+    const fs::path path = place(name);
+    const fs::path trial = unfinished(path);
+    std::ofstream file(trial, std::ios::binary);
+    file.write(contents.data(), static_cast<std::streamsize>(contents.size()));
+    file.close();
+    std::error_code problem;
+    if (file) {
+        fs::rename(trial, path, problem);
+    }
+    if (file && !problem) {
+        return;
+    }
+    fs::remove(trial, problem);
+    refuse(path, "is the disk full, or the name too long?");
+}
+
+std::string readWhole(const fs::path& path, std::size_t mostBytes) {
+    std::error_code problem;
+    if (!fs::exists(path, problem)) {
+        throw std::invalid_argument("there is no such file");
+    }
+    if (!fs::is_regular_file(path, problem)) {
+        throw std::invalid_argument("it is no file");
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        throw std::invalid_argument("it cannot be opened");
+    }
+    const std::uintmax_t size = fs::file_size(path, problem);
+    if (problem || size > mostBytes) {
+        throw std::invalid_argument("it has more than " + std::to_string(mostBytes >> 20) + " MB");
+    }
+    std::string contents(static_cast<std::size_t>(size), '\0');
+    file.read(contents.data(), static_cast<std::streamsize>(contents.size()));
+    if (file.bad()) {
+        throw std::invalid_argument("it cannot be read");
+    }
+    contents.resize(static_cast<std::size_t>(file.gcount()));
+    return contents;
+}
+
+}  // namespace drench::files
