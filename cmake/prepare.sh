@@ -27,16 +27,18 @@ install_missing() {
     apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
 }
 
-# build_in FOLDER TARGET [CMAKE-OPTION...]: configures once and whenever options change, then builds.
+# build_in FOLDER TARGET [CMAKE-OPTION...]: configures once and whenever options change, then builds several sources at a
+# time, and through ccache where it is installed.
 build_in() {
   local folder=$1 target=$2
   shift 2
-  local generator=()
+  local options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON)
   # A build folder keeps the generator that it was made with.
-  if [ ! -e "$folder/CMakeCache.txt" ] && command -v ninja >/dev/null 2>&1; then generator=(-G Ninja); fi
+  if [ ! -e "$folder/CMakeCache.txt" ] && command -v ninja >/dev/null 2>&1; then options+=(-G Ninja); fi
+  if command -v ccache >/dev/null 2>&1; then options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
   local log="$folder/configure.log"
   mkdir -p "$folder"
-  if ! cmake -S "$root" -B "$folder" "${generator[@]}" -DCMAKE_BUILD_TYPE=Release "$@" >"$log" 2>&1; then
+  if ! cmake -S "$root" -B "$folder" "${options[@]}" "$@" >"$log" 2>&1; then
     cat "$log" >&2
     exit 4
   fi

@@ -35,7 +35,7 @@ double dropsPerVolume(double intensity) {
     return 8000 / slope * std::exp(-slope);
 }
 
-double radiusOf(double mass) {
+double dropRadius(double mass) {
     return std::cbrt(3 * mass / (4 * pi * waterDensity));
 }
 
@@ -104,7 +104,7 @@ void WaterEffects::follow(const FallingDrops& drops) {
         const auto together = std::min<std::int64_t>(flight.count, mostTogether);
         for (std::int64_t i = 0; i < together && falling_.size() < limits_.drops; ++i)
             falling_.push_back(seen(flight.position - frame * double(i) / double(together) * flight.velocity,
-                                    flight.velocity, radiusOf(flight.mass)));
+                                    flight.velocity, dropRadius(flight.mass)));
     }
     for (const FallingDrops::Landing& landing : drops.landed()) {
         if (poolRound(landing.position) != nullptr) continue;

@@ -16,7 +16,7 @@ namespace {
 constexpr double runsTogether = 0.4;  // share of a place's radius within which new water joins it
 constexpr double darkUntil = 0.35;    // of the layer; below it the place fades
 
-double radiusOf(double area) {
+double discRadius(double area) {
     return std::sqrt(area / pi);
 }
 
@@ -100,7 +100,7 @@ void WetPlaces::show(viewer::Picture& picture) const {
         const btTransform& frame = place.body->getWorldTransform();
         viewer::WetPatch patch;
         patch.centre = pictureVector(frame * bulletVector(place.inBody));
-        patch.radius = float(radiusOf(place.area));
+        patch.radius = float(discRadius(place.area));
         patch.wetness = float(wetnessOf(place.mass / place.area));
         patch.orientation = plainTurn(frame.getRotation()).cast<float>();
         patch.outline = place.outline;

@@ -68,24 +68,6 @@ void collectKey(GLFWwindow* window, int code, int, int action, int) {
     }
 }
 
-// ImGui's backend for GLFW on a window, inside a session.
-class GlfwBackend {
-  public:
-    GlfwBackend(const ImGuiSession& session, GLFWwindow* window) : session_(session) {
-        const ImGuiSession::Use use(session_);
-        ImGui_ImplGlfw_InitForOpenGL(window, true);
-    }
-    ~GlfwBackend() {
-        const ImGuiSession::Use use(session_);
-        ImGui_ImplGlfw_Shutdown();
-    }
-    GlfwBackend(const GlfwBackend&) = delete;
-    GlfwBackend& operator=(const GlfwBackend&) = delete;
-
-  private:
-    const ImGuiSession& session_;
-};
-
 // A screen of twice the usual density gets letters of twice as many pixels, not blurred ones.
 void scaleInterface(GLFWwindow* window) {
     float density = 1.0f;
@@ -199,6 +181,24 @@ class Window::Contents {
     }
 
   private:
+    // ImGui's backend for GLFW on a window, inside a session.
+    class GlfwBackend {
+      public:
+        GlfwBackend(const ImGuiSession& session, GLFWwindow* window) : session_(session) {
+            const ImGuiSession::Use use(session_);
+            ImGui_ImplGlfw_InitForOpenGL(window, true);
+        }
+        ~GlfwBackend() {
+            const ImGuiSession::Use use(session_);
+            ImGui_ImplGlfw_Shutdown();
+        }
+        GlfwBackend(const GlfwBackend&) = delete;
+        GlfwBackend& operator=(const GlfwBackend&) = delete;
+
+      private:
+        const ImGuiSession& session_;
+    };
+
     bool hasFocus() const { return glfwGetWindowAttrib(handle(), GLFW_FOCUSED) == GLFW_TRUE; }
 
     // Filled by GLFW while it polls.

@@ -1,9 +1,9 @@
 // Angles, for scenes and what they measure.
 #pragma once
 
-namespace drench::demo {
+#include "cloth/constants.h"
 
-inline constexpr double pi = 3.14159265358979323846;
+namespace drench::demo {
 
 constexpr double degrees(double radians) {
     return radians * 180 / pi;

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <random>
 
+#include "cloth/constants.h"
 #include "state/checks.h"
 
 namespace drench {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 // Length in von Karman's energy spectrum over the integral length scale (textbook).
 constexpr double spectralLength = 1.339;
 // Wave numbers times that length, from below which and above which there is hardly any energy.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "cloth/constants.h"
 #include "drench/fabric.h"
 
 namespace drench {
@@ -39,7 +40,7 @@ constexpr const char* fresnel = "Fresnel reflectance of the fibre in air over th
 // 41 degrees; the permeability takes what is left of the assumed product of the two, relative to cotton.
 void setWicking(Fabric& fabric, double contactAngle, double productRelativeToCotton) {
     constexpr double cottonAngle = 41, cottonPressure = 1200, cottonPermeability = 2e-11;
-    constexpr double degree = 3.14159265358979323846 / 180;
+    constexpr double degree = pi / 180;
     const double pressureRatio = std::cos(contactAngle * degree) / std::cos(cottonAngle * degree);
     const double permeability = cottonPermeability * productRelativeToCotton / pressureRatio;
     fabric.contactAngle = assumed(contactAngle);

@@ -4,13 +4,13 @@
 #include <stdexcept>
 
 #include "drench/sources.h"
+#include "cloth/constants.h"
 #include "state/checks.h"
 
 namespace drench {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 // Nearer than this a node counts as this far away, m: at the nozzle itself it would fill the whole view.
 constexpr double nearest = 1e-3;
 // A ray for shelter ends so far before the node that things which touch the cloth do not count, m.

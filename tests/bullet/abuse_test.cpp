@@ -6,7 +6,7 @@
 
 #include "any_world.h"
 
-namespace drench {
+namespace drench::abuse_test {
 namespace {
 
 using test::AnyWorld;
@@ -379,4 +379,4 @@ TEST(Abuse, TenHoursOfRainAndSunInTimeLapse) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::abuse_test

@@ -6,7 +6,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::air_test {
 namespace {
 
 using test::FreeSheet;
@@ -168,4 +168,4 @@ TEST(Air, AStrongerWindNeverDeflectsASheetLess) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::air_test

@@ -7,7 +7,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::cantilever_test {
 namespace {
 
 constexpr double gravity = 9.81;
@@ -274,4 +274,4 @@ TEST(Cantilever, FrictionHoldsClothStraighterOnTheWayDownAndMoreBentOnTheWayBack
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::cantilever_test

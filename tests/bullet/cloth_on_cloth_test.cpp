@@ -8,7 +8,7 @@
 #include "wet_contact_rig.h"
 #include "world/deformable_world.h"
 
-namespace drench {
+namespace drench::cloth_on_cloth_test {
 namespace {
 
 using test::gravity;
@@ -230,4 +230,4 @@ INSTANTIATE_TEST_SUITE_P(Paths, ClothOnCloth,
                          testing::Values(Path::stock, Path::explicitSteps, Path::implicitSteps), nameOf);
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::cloth_on_cloth_test

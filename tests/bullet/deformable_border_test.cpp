@@ -5,7 +5,7 @@
 
 #include "deformable_rig.h"
 
-namespace drench {
+namespace drench::deformable_border_test {
 namespace {
 
 using namespace test;
@@ -26,12 +26,12 @@ std::string errorOf(DeformableWorld& bullet, double dt) {
 TEST(DeformableWorld, RefusesStepsThatWouldBlowUp) {
     DeformableWorld bullet(Mode::explicitSteps);
     const Fabric fabric = constantStiffness(100);
-    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodes);
+    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodesAlongEdge);
     bullet.add(*sheet);
     {
         WetCloth cloth(bullet.world(), *sheet, fabric);
         const double bound = cloth.stepBound();
-        const double cellMass = cloth.dryMass() / ((nodes - 1) * (nodes - 1));
+        const double cellMass = cloth.dryMass() / ((nodesAlongEdge - 1) * (nodesAlongEdge - 1));
         RecordProperty("k_dt2_over_m", std::to_string(100 * bound * bound / cellMass));
         EXPECT_GT(100 * bound * bound / cellMass, 0.15);
         EXPECT_LT(100 * bound * bound / cellMass, 0.30);
@@ -60,8 +60,8 @@ TEST(DeformableWorld, TheBoundIsNotFarFromWhereStepsBlowUp) {
     const Fabric fabric = constantStiffness(100);
     for (const double times : {1.0, 2.0}) {
         DeformableWorld bullet(Mode::explicitSteps);
-        const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodes);
-        for (int n = 0; n < nodes; ++n) sheet->m_nodes[n].m_im = 1;
+        const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodesAlongEdge);
+        for (int n = 0; n < nodesAlongEdge; ++n) sheet->m_nodes[n].m_im = 1;
         bullet.add(*sheet);
         {
             SheetSettings settings;
@@ -110,12 +110,12 @@ TEST(DeformableWorld, PlanesAreRefused) {
 TEST(DeformableWorld, AnchorsFollowTheMass) {
     DeformableWorld bullet(Mode::explicitSteps);
     const Fabric fabric = constantStiffness(100);
-    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodes);
-    for (int n = 0; n < nodes; ++n) sheet->m_nodes[n].m_im = 1;
+    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodesAlongEdge);
+    for (int n = 0; n < nodesAlongEdge; ++n) sheet->m_nodes[n].m_im = 1;
     btRigidBody& ball = bullet.addBall({0, 1, 0}, 0.1);
     bullet.add(*sheet);
     sheet->appendDeformableAnchor(0, &ball);
-    sheet->appendDeformableAnchor(nodes - 1, &ball);
+    sheet->appendDeformableAnchor(nodesAlongEdge - 1, &ball);
     const btVector3 held = sheet->m_nodes[0].m_x;
     const int substeps = 27;
     {
@@ -134,7 +134,7 @@ TEST(DeformableWorld, AnchorsFollowTheMass) {
 TEST_P(SeveralSheets, TwoSheetsAndOneOfAnotherKind) {
     DeformableWorld bullet(GetParam());
     const auto hang = [&](double stretch, double z) {
-        auto sheet = test::hangingSheet(bullet.info(), constantStiffness(stretch), side, nodes);
+        auto sheet = test::hangingSheet(bullet.info(), constantStiffness(stretch), side, nodesAlongEdge);
         pinCorners(*sheet);
         sheet->translate({0, 0, btScalar(z)});
         bullet.add(*sheet);
@@ -176,7 +176,7 @@ TEST_P(SeveralSheets, TwoSheetsAndOneOfAnotherKind) {
 /// The three things whose order of ending is free. Each ends once.
 struct Ending {
     DeformableWorld bullet{Mode::explicitSteps};
-    std::unique_ptr<btSoftBody> body = test::hangingSheet(bullet.info(), constantStiffness(100), side, nodes);
+    std::unique_ptr<btSoftBody> body = test::hangingSheet(bullet.info(), constantStiffness(100), side, nodesAlongEdge);
     std::unique_ptr<WetCloth> cloth;
 
     Ending() {
@@ -254,7 +254,7 @@ TEST(DeformableLifetime, AnotherClothForTheSameBody) {
 
 TEST(DeformableLifetime, AttachedBeforeItIsInTheWorld) {
     DeformableWorld bullet(Mode::implicitSteps);
-    const auto sheet = test::hangingSheet(bullet.info(), constantStiffness(100), side, nodes);
+    const auto sheet = test::hangingSheet(bullet.info(), constantStiffness(100), side, nodesAlongEdge);
     WetCloth cloth(bullet.world(), *sheet, constantStiffness(100));
     bullet.step(1.0 / 60, 1);
     EXPECT_EQ(bullet.wetForces(), 0);
@@ -266,7 +266,7 @@ TEST(DeformableLifetime, AttachedBeforeItIsInTheWorld) {
 
 TEST(DeformableLifetime, SteppedByTheApplication) {
     DeformableWorld bullet(Mode::explicitSteps);
-    const auto sheet = test::hangingSheet(bullet.info(), constantStiffness(100), side, nodes);
+    const auto sheet = test::hangingSheet(bullet.info(), constantStiffness(100), side, nodesAlongEdge);
     bullet.add(*sheet);
     {
         SheetSettings settings;
@@ -282,4 +282,4 @@ TEST(DeformableLifetime, SteppedByTheApplication) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::deformable_border_test

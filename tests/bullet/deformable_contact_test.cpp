@@ -6,7 +6,7 @@
 #include "wet_contact_rig.h"
 #include "world/deformable_world.h"
 
-namespace drench {
+namespace drench::deformable_contact_test {
 namespace {
 
 using test::gravity;
@@ -131,4 +131,4 @@ INSTANTIATE_TEST_SUITE_P(BothModes, DeformableContact,
                          });
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::deformable_contact_test

@@ -5,7 +5,7 @@
 
 #include "deformable_rig.h"
 
-namespace drench {
+namespace drench::deformable_motion_test {
 namespace {
 
 using namespace test;
@@ -29,8 +29,8 @@ btVector3 momentum(const btSoftBody& sheet) {
 TEST_P(InBothModes, FallsFreely) {
     DeformableWorld bullet(GetParam());
     const Fabric fabric = constantStiffness(100);
-    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodes);
-    for (int n = 0; n < nodes; ++n) sheet->m_nodes[n].m_im = 1;
+    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodesAlongEdge);
+    for (int n = 0; n < nodesAlongEdge; ++n) sheet->m_nodes[n].m_im = 1;
     bullet.add(*sheet);
     {
         WetCloth cloth(bullet.world(), *sheet, fabric);
@@ -48,14 +48,14 @@ TEST_P(InBothModes, FallsFreely) {
 TEST_P(InBothModes, WaterBringsItsMomentum) {
     DeformableWorld bullet(GetParam(), 0);
     const Fabric fabric = constantStiffness(100);
-    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodes);
-    for (int n = 0; n < nodes; ++n) sheet->m_nodes[n].m_im = 1;
+    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodesAlongEdge);
+    for (int n = 0; n < nodesAlongEdge; ++n) sheet->m_nodes[n].m_im = 1;
     bullet.add(*sheet);
     {
         WetCloth cloth(bullet.world(), *sheet, fabric);
         cloth.air().vapourExchange = 0;
         constexpr double water = 1e-4, speed = 3;
-        cloth.addWater(nodes * 8 + 8, water, {btScalar(speed), 0, 0});
+        cloth.addWater(nodesAlongEdge * 8 + 8, water, {btScalar(speed), 0, 0});
         // Bullet's conjugate gradients stop early in single precision; the stiffer a step, the more is lost.
         bullet.step(std::min(longestStep(cloth), 1e-3), 1);
         EXPECT_NEAR(double(momentum(*sheet).x()), water * speed, 0.01 * water * speed);
@@ -66,14 +66,14 @@ TEST_P(InBothModes, WaterBringsItsMomentum) {
 TEST_P(InBothModes, WindBlowsItAway) {
     DeformableWorld bullet(GetParam(), 0);
     const Fabric fabric = constantStiffness(100);
-    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodes);
+    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodesAlongEdge);
     bullet.add(*sheet);
     {
         WetCloth cloth(bullet.world(), *sheet, fabric);
         cloth.air().wind = {0, 0, 2};
         for (int i = 0; i < 30; ++i)
             bullet.step(1.0 / 60, static_cast<int>(std::ceil(1.0 / 60 / longestStep(cloth))));
-        EXPECT_GT(double(sheet->m_nodes[nodes * nodes - 1].m_x.z()), 0.1);
+        EXPECT_GT(double(sheet->m_nodes[nodesAlongEdge * nodesAlongEdge - 1].m_x.z()), 0.1);
         EXPECT_LT(test::largestStrain(*sheet), 0.3);
         EXPECT_EQ(double(sheet->m_nodes[0].m_x.z()), 0);
     }
@@ -87,7 +87,7 @@ TEST_P(InBothModes, DriesWithoutBlowingUp) {
     fabric.stretchWarp = 100;
     fabric.stretchWeft = 100;
     fabric.shear = 20;
-    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodes);
+    const auto sheet = test::hangingSheet(bullet.info(), fabric, side, nodesAlongEdge);
     pinCorners(*sheet);
     bullet.add(*sheet);
     {
@@ -150,7 +150,7 @@ TEST_P(InBothModes, AWetSheetRestsOnABall) {
         makeSheet(bullet.info(), fabric,
                   flatCorners({btScalar(-side / 2), btScalar(radius + 0.03), btScalar(-side / 2)},
                               {btScalar(side), 0, 0}, {0, 0, btScalar(side)}),
-                  nodes, nodes);
+                  nodesAlongEdge, nodesAlongEdge);
     sheet->m_cfg.kDF = 1;
     bullet.add(*sheet);
     {
@@ -171,7 +171,7 @@ TEST_P(InBothModes, AWetSheetRestsOnABall) {
                 closest = std::min(closest, double((sheet->m_nodes[n].m_x - centre).length()));
         }
         EXPECT_GT(closest, radius - 0.002);
-        EXPECT_GT(double(sheet->m_nodes[nodes * nodes / 2].m_x.y()), radius);
+        EXPECT_GT(double(sheet->m_nodes[nodesAlongEdge * nodesAlongEdge / 2].m_x.y()), radius);
         EXPECT_GT(cloth.ledger().supplied, 1.05 * fabric.arealDensity * side * side);  // from the ball
         EXPECT_GT(sheet->m_nodeRigidContacts.size(), 0);
         EXPECT_EQ(sheet->m_rcontacts.size(), 0);
@@ -187,7 +187,7 @@ TEST(DeformableWorld, ImplicitCurtainIsBlownAgainstABall) {
     const btVector3 centre(0, btScalar(-0.3), btScalar(0.17));
     constexpr double radius = 0.15;
     bullet.addBall(centre, radius);
-    const auto sheet = test::hangingSheet(bullet.info(), fabrics::cottonPlain(), side, nodes);
+    const auto sheet = test::hangingSheet(bullet.info(), fabrics::cottonPlain(), side, nodesAlongEdge);
     bullet.add(*sheet);
     {
         WetCloth cloth(bullet.world(), *sheet, fabrics::cottonPlain());
@@ -215,7 +215,7 @@ TEST(DeformableWorld, SheetsThatTouchShareTheirWater) {
         auto sheet =
             makeSheet(bullet.info(), fabric,
                       flatCorners({0, btScalar(height), 0}, {btScalar(side), 0, 0}, {0, 0, btScalar(side)}),
-                      nodes, nodes);
+                      nodesAlongEdge, nodesAlongEdge);
         sheet->m_cfg.collisions |= btSoftBody::fCollision::VF_DD;
         bullet.add(*sheet);
         return sheet;
@@ -234,4 +234,4 @@ TEST(DeformableWorld, SheetsThatTouchShareTheirWater) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::deformable_motion_test

@@ -12,7 +12,7 @@
 
 namespace drench::test {
 
-constexpr int nodes = 17;
+constexpr int nodesAlongEdge = 17;
 constexpr double side = 0.5;
 
 enum class Mode { explicitSteps, implicitSteps };
@@ -99,15 +99,15 @@ inline double largestExtension(const btSoftBody& sheet) {
 }
 
 inline bool hangsByCorners(int node) {
-    return node < 2 || (node >= nodes - 2 && node < nodes);
+    return node < 2 || (node >= nodesAlongEdge - 2 && node < nodesAlongEdge);
 }
 
 inline void pinCorners(btSoftBody& sheet) {
-    for (int n = 0; n < nodes; ++n) sheet.m_nodes[n].m_im = hangsByCorners(n) ? btScalar(0) : btScalar(1);
+    for (int n = 0; n < nodesAlongEdge; ++n) sheet.m_nodes[n].m_im = hangsByCorners(n) ? btScalar(0) : btScalar(1);
 }
 
 inline Outcome outcomeOf(const btSoftBody& sheet) {
-    Outcome outcome{-side - double(sheet.m_nodes[nodes / 2 + nodes * (nodes - 1)].m_x.y()), 0};
+    Outcome outcome{-side - double(sheet.m_nodes[nodesAlongEdge / 2 + nodesAlongEdge * (nodesAlongEdge - 1)].m_x.y()), 0};
     outcome.meanStrain = meanStrain(sheet);
     return outcome;
 }
@@ -115,7 +115,7 @@ inline Outcome outcomeOf(const btSoftBody& sheet) {
 /// Lets a sheet with `water` times its own mass of water come to rest.
 inline Outcome inBullet(Mode mode, const Fabric& fabric, double water) {
     DeformableWorld bullet(mode);
-    const auto sheet = hangingSheet(bullet.info(), fabric, side, nodes);
+    const auto sheet = hangingSheet(bullet.info(), fabric, side, nodesAlongEdge);
     pinCorners(*sheet);
     bullet.add(*sheet);
     SheetSettings settings;
@@ -137,9 +137,9 @@ inline Outcome inBullet(Mode mode, const Fabric& fabric, double water) {
 
 /// The same sheet put together from the textile formulas alone and solved at rest in double precision.
 inline Outcome atRest(const Fabric& fabric, double water) {
-    const auto problem = hangingGrid(fabric, side, nodes, fabric.arealDensity * (1 + water), hangsByCorners);
+    const auto problem = hangingGrid(fabric, side, nodesAlongEdge, fabric.arealDensity * (1 + water), hangsByCorners);
     const auto x = solveStatic(problem);
-    return {-side - x[std::size_t(nodes / 2 + nodes * (nodes - 1))].y(), meanStrain(problem, x)};
+    return {-side - x[std::size_t(nodesAlongEdge / 2 + nodesAlongEdge * (nodesAlongEdge - 1))].y(), meanStrain(problem, x)};
 }
 
 }  // namespace drench::test

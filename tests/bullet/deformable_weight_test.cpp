@@ -5,7 +5,7 @@
 
 #include "deformable_rig.h"
 
-namespace drench {
+namespace drench::deformable_weight_test {
 namespace {
 
 using namespace test;
@@ -132,4 +132,4 @@ TEST(WetSpringForce, DifferentialIsPositiveAndThatOfTheForce) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::deformable_weight_test

@@ -8,7 +8,7 @@
 #include "drench/water.h"
 #include "worlds.h"
 
-namespace drench {
+namespace drench::fluid_test {
 namespace {
 
 using test::SmallStepWorld;
@@ -344,4 +344,4 @@ TEST(Fluid, KernelsForAnyProcessorAndTheFastestAgree) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::fluid_test

@@ -16,7 +16,7 @@
 
 #include "snapshot_rig.h"
 
-namespace drench {
+namespace drench::golden_test {
 namespace {
 
 using test::Mover;
@@ -114,4 +114,4 @@ TEST(Golden, AnyNumberOfThreadsComesToTheSame) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::golden_test

@@ -5,7 +5,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::grip_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -264,4 +264,4 @@ TEST(Grip, ATurningBallCarriesWetClothRound) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::grip_test

@@ -3,7 +3,7 @@
 
 #include "any_world.h"
 
-namespace drench {
+namespace drench::health_test {
 namespace {
 
 using test::AnyWorld;
@@ -223,4 +223,4 @@ TEST(Health, AHealthySheetHasNoTroubles) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::health_test

@@ -3,7 +3,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::lifetime_test {
 namespace {
 
 struct Application {
@@ -234,4 +234,4 @@ TEST(Lifetime, AWorldThatOutlivesAnUnhookedLayerStillCallsTheApplication) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::lifetime_test

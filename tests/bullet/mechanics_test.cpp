@@ -4,7 +4,7 @@
 #include "hanging_grid.h"
 #include "worlds.h"
 
-namespace drench {
+namespace drench::mechanics_test {
 namespace {
 
 using test::constantStiffness;
@@ -118,4 +118,4 @@ TEST(Mechanics, SixtyFourSquaredWithBulletsDefaultsSurvivesTenSeconds) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::mechanics_test

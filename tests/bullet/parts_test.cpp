@@ -9,7 +9,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::parts_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -162,4 +162,4 @@ TEST(Parts, FrictionThatIsNoNumberOrBelowZeroIsNoneAndInfiniteFrictionHolds) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::parts_test

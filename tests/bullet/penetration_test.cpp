@@ -10,7 +10,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::penetration_test {
 namespace {
 
 constexpr double speed = 5, most = 1e-3;
@@ -142,4 +142,4 @@ TEST(Penetration, NoNodePassesAThinWire) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::penetration_test

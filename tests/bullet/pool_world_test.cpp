@@ -10,7 +10,7 @@
 #include "world/deformable_world.h"
 #include "worlds.h"
 
-namespace drench {
+namespace drench::pool_world_test {
 namespace {
 
 using test::SmallStepWorld;
@@ -286,4 +286,4 @@ TEST(PoolWorld, ARuffledSheetComesToRestAlsoInWaterOfAFasterTime) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::pool_world_test

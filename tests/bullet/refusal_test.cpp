@@ -8,7 +8,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::refusal_test {
 namespace {
 
 /// The message with which attaching is refused; fails the test if it is not, or if the body has changed.
@@ -187,4 +187,4 @@ TEST(Refusal, ASleeveNeedsItsMaterialCoordinates) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::refusal_test

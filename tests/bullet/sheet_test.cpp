@@ -7,7 +7,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::sheet_test {
 namespace {
 
 TEST(MakeSheet, HasTheLinksFacesAndMassesOfItsGrid) {
@@ -78,4 +78,4 @@ TEST(MakeSheet, RefusesWhatIsNoSheet) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::sheet_test

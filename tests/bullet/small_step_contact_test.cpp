@@ -5,7 +5,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::small_step_contact_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -352,4 +352,4 @@ TEST(SmallStepContact, ASheetLiesOnATriangleMeshNotAboveIt) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::small_step_contact_test

@@ -6,7 +6,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::small_step_lifetime_test {
 namespace {
 
 /// Soft bodies of all kinds that Drench does not move, falling on a ground and a ball, beside a sheet of its own.
@@ -315,4 +315,4 @@ TEST(SmallStepLifetime, AForceThatIsNotFiniteLeavesTheSheetWhereItWas) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::small_step_lifetime_test

@@ -8,7 +8,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::small_step_motion_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -253,4 +253,4 @@ TEST(SmallStepMotion, ASleepingSheetStaysAndWaterWakesIt) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::small_step_motion_test

@@ -9,7 +9,7 @@
 #include "hanging_grid.h"
 #include "worlds.h"
 
-namespace drench {
+namespace drench::small_step_test {
 namespace {
 
 using test::Outcome;
@@ -172,4 +172,4 @@ TEST(SmallStep, KernelsForAnyProcessorAndTheFastestAgree) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::small_step_test

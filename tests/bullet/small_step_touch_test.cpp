@@ -6,7 +6,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::small_step_touch_test {
 namespace {
 
 btVector3 momentum(const btSoftBody& body) {
@@ -263,4 +263,4 @@ TEST(SmallStepTouch, SettingsOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::small_step_touch_test

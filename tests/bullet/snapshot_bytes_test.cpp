@@ -12,7 +12,7 @@
 
 #include "snapshot_rig.h"
 
-namespace drench {
+namespace drench::snapshot_bytes_test {
 namespace {
 
 using test::Mover;
@@ -143,4 +143,4 @@ TEST(SnapshotBytes, DISABLED_AreWrittenAnew) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::snapshot_bytes_test

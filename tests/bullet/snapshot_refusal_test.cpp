@@ -11,7 +11,7 @@
 #include "state/checksum.h"
 #include "state/snapshot_bytes.h"
 
-namespace drench {
+namespace drench::snapshot_refusal_test {
 namespace {
 
 using test::Mover;
@@ -268,4 +268,4 @@ TEST_F(SnapshotFile, SaysWhyItCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::snapshot_refusal_test

@@ -9,7 +9,7 @@
 
 #include "snapshot_rig.h"
 
-namespace drench {
+namespace drench::snapshot_test {
 namespace {
 
 using test::Mover;
@@ -310,4 +310,4 @@ TEST(SnapshotRun, ASolidThatMovesGoesOnWhereTheApplicationRestoresIt) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::snapshot_test

@@ -8,7 +8,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::step_times_test {
 namespace {
 
 using test::SheetWorld;
@@ -85,4 +85,4 @@ TEST(StepTimes, HaveSmallStepsAndTheirContacts) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::step_times_test

@@ -3,7 +3,7 @@
 
 #include "wet_contact_rig.h"
 
-namespace drench {
+namespace drench::stock_contact_test {
 namespace {
 
 using test::gravity;
@@ -245,4 +245,4 @@ TEST(PostTick, AWorldMayEndBeforeALayerThatWaitsForIt) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::stock_contact_test

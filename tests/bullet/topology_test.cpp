@@ -5,7 +5,7 @@
 
 #include "any_world.h"
 
-namespace drench {
+namespace drench::topology_test {
 namespace {
 
 using test::AnyWorld;
@@ -410,4 +410,4 @@ TEST(Topology, AnchorsOfTheDeformableWorldFollow) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::topology_test

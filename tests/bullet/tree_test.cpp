@@ -6,7 +6,7 @@
 #include "bullet/sheet/face_tree.h"
 #include "worlds.h"
 
-namespace drench {
+namespace drench::tree_test {
 namespace {
 
 std::unique_ptr<btSoftBody> largeSheet(btSoftBodyWorldInfo& info, int nodes) {
@@ -98,4 +98,4 @@ TEST(Tree, ClothInTwoPiecesCollidesWithOtherCloth) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::tree_test

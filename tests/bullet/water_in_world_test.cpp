@@ -6,7 +6,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::water_in_world_test {
 namespace {
 
 using test::SheetWorld;
@@ -522,4 +522,4 @@ TEST(Air, OutOfRangeCountsForNothing) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::water_in_world_test

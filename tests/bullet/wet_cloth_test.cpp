@@ -6,7 +6,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::wet_cloth_test {
 namespace {
 
 using test::SheetWorld;
@@ -401,4 +401,4 @@ TEST(WetCloth, SteppingByTheApplicationIsTheApplicationsAlone) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::wet_cloth_test

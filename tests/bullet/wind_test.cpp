@@ -11,7 +11,7 @@
 
 #include "worlds.h"
 
-namespace drench {
+namespace drench::wind_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -317,4 +317,4 @@ TEST(Wind, AsStrongAsItMayBeStaysFiniteAndAStrongerOneIsRefused) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::wind_test

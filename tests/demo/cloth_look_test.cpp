@@ -7,7 +7,7 @@
 #include "viewer/passes/sheet_uniforms.h"
 #include "viewer/renderer.h"
 
-namespace drench::demo {
+namespace drench::demo::cloth_look_test {
 namespace {
 
 constexpr int width = 320, height = 240;
@@ -212,4 +212,4 @@ TEST_F(ClothLook, ListsOfTheWrongLengthAreRefusedByName) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::cloth_look_test

@@ -9,7 +9,7 @@
 #include "world/angles.h"
 #include "world/cloth_disc.h"
 
-namespace drench::demo {
+namespace drench::demo::drape_meter_test {
 namespace {
 
 std::unique_ptr<DrapeMeter> atRest(const std::string& fabric) {
@@ -89,4 +89,4 @@ TEST(Silhouette, CountsLobes) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::drape_meter_test

@@ -11,7 +11,7 @@
 #include "stage/stage.h"
 #include "world/vectors.h"
 
-namespace drench::demo {
+namespace drench::demo::hand_test {
 namespace {
 
 constexpr double frameTime = Scene::frameTime;
@@ -260,4 +260,4 @@ TEST(Wetting, GivesEachNodeItsShare) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::hand_test

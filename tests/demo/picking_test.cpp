@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drench::viewer {
+namespace drench::viewer::picking_test {
 namespace {
 
 Camera camera() {
@@ -62,4 +62,4 @@ TEST(Picking, ABallBeforeASheetHidesIt) {
 }
 
 }  // namespace
-}  // namespace drench::viewer
+}  // namespace drench::viewer::picking_test

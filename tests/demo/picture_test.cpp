@@ -5,7 +5,7 @@
 #include "viewer/gl/offscreen_context.h"
 #include "viewer/renderer.h"
 
-namespace drench::demo {
+namespace drench::demo::picture_test {
 namespace {
 
 constexpr int width = 320, height = 240;
@@ -90,4 +90,4 @@ TEST(Picture, APngComesBackAsItWasWritten) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::picture_test

@@ -11,7 +11,7 @@
 #include "stage/scene.h"
 #include "stage/stage.h"
 
-namespace drench::demo {
+namespace drench::demo::saved_scene_test {
 namespace {
 
 /// Largest distance between the same nodes of two sheets, m.
@@ -119,4 +119,4 @@ TEST(SavedScene, KeepsWhatASoakHasStillToGive) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::saved_scene_test

@@ -15,7 +15,7 @@
 #include "scenes/scene_texts.h"
 #include "stage/stage.h"
 
-namespace drench::demo {
+namespace drench::demo::scene_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -355,4 +355,4 @@ TEST(SceneFile, OptionsGiveADescriptionAnotherFabricAndResolution) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::scene_file_test

@@ -14,7 +14,7 @@
 #include "scenes/registry.h"
 #include "stage/stage.h"
 
-namespace drench::demo {
+namespace drench::demo::simulation_test {
 namespace {
 
 using std::chrono::steady_clock;
@@ -217,4 +217,4 @@ TEST(Simulation, EndsInTheMidstOfEverything) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::simulation_test

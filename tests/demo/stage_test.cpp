@@ -8,7 +8,7 @@
 #include "description/scene_file.h"
 #include "stage/scene.h"
 
-namespace drench::demo {
+namespace drench::demo::stage_test {
 namespace {
 
 /// A level sheet of 1 m2, sealed from vapour, held all round.
@@ -157,4 +157,4 @@ TEST(Stage, NamesAreFoundOrListed) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::stage_test

@@ -9,7 +9,7 @@
 
 #include "state/whole_file.h"
 
-namespace drench::demo {
+namespace drench::demo::table_test {
 namespace {
 
 const Table example{{{"step", 0}, {"mass_kg", 3}}, {{0, 1.5}, {1, std::nan("")}}};
@@ -73,4 +73,4 @@ TEST(Table, WritesThroughALink) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::table_test

@@ -7,7 +7,7 @@
 
 #include "run/runners.h"
 
-namespace drench::demo {
+namespace drench::demo::ten_steps_test {
 namespace {
 
 /// The whole experiment on a sheet of 28 x 23 nodes, run once for all tests of this file.
@@ -108,4 +108,4 @@ TEST(RunHeadless, ExitsWithOneWhenTheScenesCheckFails) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::ten_steps_test

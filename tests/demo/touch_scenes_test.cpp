@@ -11,7 +11,7 @@
 #include "stage/scene.h"
 #include "world/angles.h"
 
-namespace drench::demo {
+namespace drench::demo::touch_scenes_test {
 namespace {
 
 /// Runs a scene to its end, expects its own check to pass, and returns its log.
@@ -95,4 +95,4 @@ TEST(TouchScenes, ASheetComesOutOfThePoolWithWhatTheLedgerSays) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::touch_scenes_test

@@ -8,7 +8,7 @@
 #include "viewer/renderer.h"
 #include "viewer/text/legend_bar.h"
 
-namespace drench::demo {
+namespace drench::demo::view_test {
 namespace {
 
 constexpr int width = 320, height = 240;
@@ -147,4 +147,4 @@ TEST(Areas, APairShowsEachPictureAsItIsAlone) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::view_test

@@ -12,7 +12,7 @@
 #include "world/angles.h"
 #include "world/scene_world.h"
 
-namespace drench::demo {
+namespace drench::demo::water_effects_test {
 namespace {
 
 constexpr double frameTime = 1.0 / 60;
@@ -318,4 +318,4 @@ TEST(WaterEffects, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::water_effects_test

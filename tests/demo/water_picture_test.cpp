@@ -9,7 +9,7 @@
 #include "viewer/gl/offscreen_context.h"
 #include "viewer/renderer.h"
 
-namespace drench::viewer {
+namespace drench::viewer::water_picture_test {
 namespace {
 
 constexpr int width = 320, height = 240;
@@ -307,4 +307,4 @@ TEST_F(WaterPicture, WhatIsNotFiniteIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace drench::viewer
+}  // namespace drench::viewer::water_picture_test

@@ -13,7 +13,7 @@
 #include "temporary_folder.h"
 #include "wet_run.h"
 
-namespace drench {
+namespace drench::animation_test {
 namespace {
 
 using test::GlbReader;
@@ -212,4 +212,4 @@ TEST(Animation, NothingStandsUnderTheNameUntilItIsWhole) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::animation_test

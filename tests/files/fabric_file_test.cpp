@@ -9,7 +9,7 @@
 
 #include "temporary_folder.h"
 
-namespace drench {
+namespace drench::fabric_file_test {
 namespace {
 
 using test::refusal;
@@ -201,4 +201,4 @@ TEST(FabricFile, SchemaTakesPresetsAndRefusesWhatIsOff) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::fabric_file_test

@@ -13,7 +13,7 @@
 #include "temporary_folder.h"
 #include "wet_run.h"
 
-namespace drench {
+namespace drench::frame_files_test {
 namespace {
 
 using test::refusal;
@@ -146,4 +146,4 @@ TEST(FrameFiles, FramesAreOfTheirOwnBody) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::frame_files_test

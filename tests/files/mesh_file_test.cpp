@@ -13,7 +13,7 @@
 #include "bullet/worlds.h"
 #include "temporary_folder.h"
 
-namespace drench {
+namespace drench::mesh_file_test {
 namespace {
 
 using test::refusal;
@@ -313,4 +313,4 @@ TEST(MeshSheet, PinsAreHeldOrRefusedTogether) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::mesh_file_test

@@ -9,7 +9,7 @@
 #include "stage/stage.h"
 #include "temporary_folder.h"
 
-namespace drench::demo {
+namespace drench::demo::scene_files_test {
 namespace {
 
 using test::refusal;
@@ -118,4 +118,4 @@ TEST(Exporter, SheetsOfANameGetNumbers) {
 }
 
 }  // namespace
-}  // namespace drench::demo
+}  // namespace drench::demo::scene_files_test

@@ -11,7 +11,7 @@
 
 #include "sheet_stand_in.h"
 
-namespace drench {
+namespace drench::brush_test {
 namespace {
 
 using test::Cloth;
@@ -84,4 +84,4 @@ TEST(Refusals, NoSourceTakesATimeThatIsNone) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::brush_test

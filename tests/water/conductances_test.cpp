@@ -9,7 +9,7 @@
 
 #include "meshes.h"
 
-namespace drench {
+namespace drench::conductances_test {
 namespace {
 
 using meshes::LaidOut;
@@ -288,4 +288,4 @@ TEST(Conductances, SeparateNodesHaveNone) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::conductances_test

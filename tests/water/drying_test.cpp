@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace drench {
+namespace drench::drying_test {
 namespace {
 
 constexpr double sheetLength = 0.5;  // m, of the check table
@@ -261,4 +261,4 @@ TEST(Isotherm, RefusesAFabricOutOfRange) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::drying_test

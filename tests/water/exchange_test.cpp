@@ -7,7 +7,7 @@
 #include "drench/moisture.h"
 #include "meshes.h"
 
-namespace drench {
+namespace drench::exchange_test {
 namespace {
 
 constexpr double rate = 1e-4 / 3.6;  // 100 g/(m2 h), as in a room
@@ -198,4 +198,4 @@ TEST(VapourExchange, SealedFromTheAirNothingPasses) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::exchange_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-namespace drench {
+namespace drench::fabric_test {
 namespace {
 
 /// The message of the std::invalid_argument that `validate` throws, or "" if it throws none.
@@ -118,4 +118,4 @@ TEST(Fabric, AnUnknownNameIsAnsweredWithTheKnownOnes) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::fabric_test

@@ -8,7 +8,7 @@
 #include "drench/water.h"
 #include "meshes.h"
 
-namespace drench {
+namespace drench::film_test {
 namespace {
 
 using meshes::LaidOut;
@@ -227,4 +227,4 @@ TEST(Film, AStretchedSheetLosesNoWaterAndOwesNone) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::film_test

@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-namespace drench {
+namespace drench::link_stiffness_test {
 namespace {
 
 struct Grid {
@@ -125,4 +125,4 @@ TEST(LinkStiffness, ChordsOverTwoCellsBendAndDoNotStretch) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::link_stiffness_test

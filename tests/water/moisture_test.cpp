@@ -8,7 +8,7 @@
 
 #include "meshes.h"
 
-namespace drench {
+namespace drench::moisture_test {
 namespace {
 
 using meshes::separateNodes;
@@ -283,4 +283,4 @@ TEST(Moisture, AMeshThatIsNoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::moisture_test

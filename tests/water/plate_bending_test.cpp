@@ -13,7 +13,7 @@
 
 #include "meshes.h"
 
-namespace drench {
+namespace drench::plate_bending_test {
 namespace {
 
 using meshes::Disorder;
@@ -461,4 +461,4 @@ TEST(PlateBending, AFarCornerThatIsThereAlreadyIsCountedOnce) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::plate_bending_test

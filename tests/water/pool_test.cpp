@@ -13,7 +13,7 @@
 #include "drench/water.h"
 #include "sheet_stand_in.h"
 
-namespace drench {
+namespace drench::pool_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -210,4 +210,4 @@ TEST(Refusals, PoolOutOfRange) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::pool_test

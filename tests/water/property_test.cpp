@@ -8,7 +8,7 @@
 #include "drench/moisture.h"
 #include "meshes.h"
 
-namespace drench {
+namespace drench::property_test {
 namespace {
 
 using meshes::LaidOut;
@@ -235,4 +235,4 @@ TEST(Property, TwoRunsAreTheSame) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::property_test

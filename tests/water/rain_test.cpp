@@ -9,7 +9,7 @@
 
 #include "sheet_stand_in.h"
 
-namespace drench {
+namespace drench::rain_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -187,4 +187,4 @@ TEST(Refusals, RainOutOfRange) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::rain_test

@@ -17,7 +17,7 @@
 
 #include "sheet_stand_in.h"
 
-namespace drench {
+namespace drench::soak_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -196,4 +196,4 @@ TEST(Refusals, SoakOutOfRange) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::soak_test

@@ -8,7 +8,7 @@
 
 #include "sheet_stand_in.h"
 
-namespace drench {
+namespace drench::spray_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -131,4 +131,4 @@ TEST(Refusals, SprayOutOfRange) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::spray_test

@@ -8,7 +8,7 @@
 #include "drench/water.h"
 #include "drench/wet_laws.h"
 
-namespace drench {
+namespace drench::surface_test {
 namespace {
 
 TEST(Surface, FrictionRisesToItsDampPeakAndFallsAsAFilmLubricates) {
@@ -65,4 +65,4 @@ TEST(Surface, ValuesOutOfRangeAreNamed) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::surface_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace drench {
+namespace drench::wet_laws_test {
 namespace {
 
 TEST(WetLaws, StiffnessFallsLinearlyToTheWetRatioAtTheBoundMaximum) {
@@ -109,4 +109,4 @@ TEST(WetLaws, RefusesAFabricOutOfRange) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::wet_laws_test

@@ -7,7 +7,7 @@
 #include "drench/moisture.h"
 #include "meshes.h"
 
-namespace drench {
+namespace drench::wicking_test {
 namespace {
 
 using meshes::LaidOut;
@@ -441,4 +441,4 @@ TEST(Wicking, AVeryLongStepReachesWhatManyShortOnesReach) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::wicking_test

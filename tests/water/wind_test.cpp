@@ -16,7 +16,7 @@
 
 #include "drench/drying.h"
 
-namespace drench {
+namespace drench::wind_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -212,4 +212,4 @@ TEST(Air, RefusesAWindThatIsNotOfThisEarth) {
 }
 
 }  // namespace
-}  // namespace drench
+}  // namespace drench::wind_test

@@ -17,7 +17,7 @@ struct PostTickSlot : btDynamicsWorld {
     }
 };
 
-void fillSlot(btDynamicsWorld& world, btInternalTickCallback callback) {
+void fillPostTickSlot(btDynamicsWorld& world, btInternalTickCallback callback) {
     constexpr bool isPreTick = false;
     world.setInternalTickCallback(callback, world.getWorldUserInfo(), isPreTick);
 }
@@ -50,7 +50,7 @@ class WaitingTable {
 void callAll(btDynamicsWorld* world, btScalar dt) {
     Waiting& waiting = WaitingTable::instance().waitingFor(*world);
     const btInternalTickCallback callback = waiting.applicationCallback;
-    fillSlot(*world, callback);
+    fillPostTickSlot(*world, callback);
     if (callback) callback(world, dt);
     for (std::size_t i = 0; i < waiting.listeners.size(); ++i)
         if (waiting.listeners[i]) waiting.listeners[i]->postTick(dt);
@@ -64,7 +64,7 @@ void awaitPostTick(btDynamicsWorld& world, PostTickListener& listener) {
     const btInternalTickCallback current = PostTickSlot::of(world);
     if (current != callAll) {
         waiting.applicationCallback = current;
-        fillSlot(world, callAll);
+        fillPostTickSlot(world, callAll);
     }
     std::vector<PostTickListener*>& listeners = waiting.listeners;
     // It waits already where the substep before was left undone.

@@ -1,0 +1,8 @@
+// Numbers that several rooms need.
+#pragma once
+
+namespace drench {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+}  // namespace drench
