@@ -1,6 +1,6 @@
 #include "bullet/sheet/pose.h"
 
-#include "bullet/repair/mending.h"
+#include "bullet/world/limits.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -9,9 +9,9 @@
 #include "bullet/fluid/submersion.h"
 #include "bullet/fluid/wind_at_nodes.h"
 #include "bullet/layer/account_supply.h"
-#include "bullet/repair/mending.h"
 #include "bullet/small_steps/small_step_sheet.h"
 #include "bullet/state/bullet_pass.h"
+#include "bullet/world/limits.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
