@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "bullet/small_steps/independent_blocks.h"
+#include "bullet/packed/independent_blocks.h"
 #include "bullet/world/limits.h"
 #include "cloth/plate_bending.h"
 
