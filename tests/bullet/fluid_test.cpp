@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bullet/small_steps/small_step_kernels.h"
+#include "bullet/packed/fluid_kernels.h"
 #include "drench/water.h"
 #include "worlds.h"
 
@@ -309,14 +309,16 @@ TEST(Fluid, SubmergingRefusesWhatMakesNoSense) {
 }
 
 /// Forces on eight faces side by side, anyhow in air and water.
-std::vector<MovingNode> forces(const SmallStepKernels& kernels) {
+std::vector<FluidForce> forces(PushByFluid push) {
     unsigned long number = 12345;
     const auto random = [&number] {
         number = number * 1103515245 + 12345;
         return float(double((number >> 16) & 0x7fff) / 0x7fff - 0.5);
     };
     FaceBlock block = {};
-    std::vector<MovingNode> places, velocities, accelerations, result(24, MovingNode{0, 0, 0, 0});
+    std::vector<PackedVector> places, velocities;
+    std::vector<OtherAcceleration> accelerations;
+    std::vector<FluidForce> result(24, FluidForce{0, 0, 0, 7});
     std::vector<FluidNode> fluid;
     for (std::size_t n = 0; n < 24; ++n) {
         block.nodes[n % 3][n / 3] = static_cast<std::int32_t>(n);
@@ -327,19 +329,21 @@ std::vector<MovingNode> forces(const SmallStepKernels& kernels) {
         const float share = n < 9 ? 0 : 0.5f + random();
         fluid.push_back({share, 0.5f * share, 0.3f, 1e-3f});
     }
-    kernels.pushByFluid(result.data(), &block, places.data(), velocities.data(), accelerations.data(),
-                        fluid.data(), {1.2f, 1000, 0.6f, 0.015f, 78, 1.0f / 60}, 1);
+    push(result.data(), &block, places.data(), velocities.data(), accelerations.data(), fluid.data(),
+         {1.2f, 1000, 0.6f, 0.015f, 78, 1.0f / 60}, 1);
     return result;
 }
 
 TEST(Fluid, KernelsForAnyProcessorAndTheFastestAgree) {
-    const std::vector<MovingNode> scalar = forces(scalarKernels()), best = forces(bestKernels());
+    const std::vector<FluidForce> scalar = forces(scalarPushByFluid()), best = forces(bestPushByFluid());
     for (std::size_t n = 0; n < scalar.size(); ++n) {
         const float size = std::abs(scalar[n].x) + std::abs(scalar[n].y) + std::abs(scalar[n].z);
         EXPECT_GT(size, 0);
         EXPECT_NEAR(scalar[n].x, best[n].x, 1e-4f * size);
         EXPECT_NEAR(scalar[n].y, best[n].y, 1e-4f * size);
         EXPECT_NEAR(scalar[n].z, best[n].z, 1e-4f * size);
+        EXPECT_EQ(scalar[n].inverseMass, 7);
+        EXPECT_EQ(best[n].inverseMass, 7);
     }
 }
 

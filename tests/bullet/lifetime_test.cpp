@@ -1,6 +1,8 @@
 // Callbacks that belong to the application, and every order in which layer, body and world may end.
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "worlds.h"
 
 namespace drench::lifetime_test {
@@ -98,6 +100,103 @@ TEST(PreTick, AnApplicationMayChainOntoTheLayerAndThenMakeAnother) {
     EXPECT_NEAR(first.moisture().totalPoreMass(), 2 * later.moisture().totalPoreMass(),
                 0.15 * first.waterMass());
     rig.world().removeSoftBody(second.get());
+}
+
+TEST(PreTick, ACallbackThatComesAgainIsCalledOnce) {
+    test::SheetWorld rig(test::smallSheet);
+    Application application;
+    callsBefore = 0;
+    rig.world().setInternalTickCallback(applicationCallback, &application, preTick);
+    for (int times = 0; times < 3; ++times) {
+        const WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+        if (times == 0) callbackFoundInTheSlot = Slot::of(rig.world());
+        rig.world().setInternalTickCallback(callbackThatChainsOn, &application, preTick);
+    }
+    const WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    rig.bullet().step(0.1, 10);
+    EXPECT_EQ(callsBefore, 10);
+    EXPECT_EQ(application.calls, 10);
+}
+
+TEST(PreTick, ACallbackThatWasWithdrawnIsNotCalled) {
+    test::SheetWorld rig(test::smallSheet);
+    Application application;
+    rig.world().setInternalTickCallback(applicationCallback, &application, preTick);
+    std::optional<WetCloth> cloth(std::in_place, rig.world(), rig.sheet(), fabrics::cottonPlain());
+    cloth.reset();
+    rig.world().setInternalTickCallback(nullptr, &application, preTick);
+    cloth.emplace(rig.world(), rig.sheet(), fabrics::cottonPlain());
+    cloth->soak(0.1);
+    rig.bullet().step(0.1, 10);
+    EXPECT_EQ(application.calls, 0);
+    EXPECT_GT(cloth->moisture().totalPoreMass(), 0.0);
+}
+
+/// A world, a second one in its place of memory, and a sheet in either.
+struct OnePlace {
+    std::optional<demo::BulletWorld> world = std::nullopt;
+    std::unique_ptr<btSoftBody> sheet;
+    std::unique_ptr<WetCloth> cloth;
+
+    OnePlace() { begin(); }
+    ~OnePlace() {
+        if (sheet->getBroadphaseHandle()) world->world().removeSoftBody(sheet.get());
+    }
+    OnePlace(const OnePlace&) = delete;
+    OnePlace& operator=(const OnePlace&) = delete;
+
+    void begin() {
+        world.emplace();
+        sheet = test::smallSheet(world->world().getWorldInfo());
+        world->world().addSoftBody(sheet.get());
+    }
+    void cover() {
+        cloth = std::make_unique<WetCloth>(world->world(), *sheet, fabrics::cottonPlain());
+        cloth->soak(0.1);
+    }
+};
+
+TEST(PreTick, AWorldInThePlaceOfAnotherHasNoneOfItsCallbacks) {
+    OnePlace rig;
+    const btDynamicsWorld* const place = &rig.world->world();
+    Application application;
+    callsBefore = 0;
+    rig.world->world().setInternalTickCallback(applicationCallback, &application, preTick);
+    rig.cover();
+    callbackFoundInTheSlot = Slot::of(rig.world->world());
+    rig.cloth.reset();
+    rig.begin();
+    ASSERT_EQ(&rig.world->world(), place);
+    rig.world->world().setInternalTickCallback(callbackThatChainsOn, &application, preTick);
+    rig.world->step(0.1, 10);
+    EXPECT_EQ(callsBefore, 10);
+    EXPECT_EQ(application.calls, 0);
+    rig.cover();
+    rig.world->step(0.1, 10);
+    EXPECT_EQ(callsBefore, 20);
+    EXPECT_EQ(application.calls, 0);
+    EXPECT_GT(rig.cloth->moisture().totalPoreMass(), 0.0);
+}
+
+TEST(PreTick, ALayerWhoseWorldIsGoneHearsNothingOfOneInItsPlace) {
+    OnePlace rig;
+    rig.cover();
+    const btDynamicsWorld* const place = &rig.world->world();
+    const std::unique_ptr<btSoftBody> oldSheet = std::move(rig.sheet);
+    std::unique_ptr<WetCloth> oldCloth = std::move(rig.cloth);
+    rig.begin();
+    ASSERT_EQ(&rig.world->world(), place);
+    oldSheet->m_worldInfo = &rig.world->world().getWorldInfo();
+    rig.world->world().addSoftBody(oldSheet.get());
+    rig.cover();
+    rig.world->step(0.1, 10);
+    EXPECT_EQ(oldCloth->moisture().totalPoreMass(), 0.0);
+    const double before = rig.cloth->moisture().totalPoreMass();
+    EXPECT_GT(before, 0.0);
+    oldCloth.reset();
+    rig.world->step(0.1, 10);
+    EXPECT_GT(rig.cloth->moisture().totalPoreMass(), before);
+    rig.world->world().removeSoftBody(oldSheet.get());
 }
 
 std::unique_ptr<WetCloth>* clothToEnd = nullptr;

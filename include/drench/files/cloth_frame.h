@@ -1,8 +1,6 @@
 // A sheet at one moment as plain numbers, for files and other programs.
 #pragma once
 
-#include <BulletSoftBody/btSoftBody.h>
-
 #include <Eigen/Core>
 #include <array>
 #include <string>
@@ -10,7 +8,8 @@
 
 #include "drench/export.h"
 #include "drench/precision.h"
-#include "drench/wet_cloth.h"
+
+class btSoftBody;
 
 namespace drench {
 
@@ -36,6 +35,8 @@ struct ClothFrame {
 DRENCH_API void validate(const ClothFrame& frame);
 
 inline namespace DRENCH_BULLET_NAMESPACE {
+
+class WetCloth;
 
 /// The sheet as it is now.
 /// @param name  of 1 to 64 letters, digits, blanks, - or _, so that it may stand in any file

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "bullet/repair/mending.h"
+#include "bullet/world/limits.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "bullet/small_steps/independent_blocks.h"
-#include "bullet/small_steps/node_arrays.h"
+#include "bullet/packed/independent_blocks.h"
+#include "bullet/packed/node_arrays.h"
 #include "bullet/world/vectors.h"
 #include "drench/source.h"
 #include "drench/water.h"
@@ -41,9 +41,9 @@ FluidForces::FluidForces(const RestShape& shape, const Fabric& fabric)
                          (waterViscosity * fabric.thickness)),
       totalArea_(std::accumulate(shape.nodeAreas.begin(), shape.nodeAreas.end(), 0.0)),
       addedMass_(addedMassOf(totalArea_)),
-      velocities_(shape.nodeAreas.size() + 1, MovingNode{0, 0, 0, 0}),
-      accelerations_(velocities_),
-      forces_(velocities_),
+      velocities_(shape.nodeAreas.size() + 1, PackedVector{0, 0, 0, 0}),
+      accelerations_(velocities_.size(), OtherAcceleration{0, 0, 0, 0}),
+      forces_(velocities_.size(), FluidForce{0, 0, 0, 0}),
       fluid_(velocities_.size(), FluidNode{0, 0, 0, 0}),
       lastVelocities_(velocities_),
       meantChanges_(velocities_),
@@ -93,11 +93,11 @@ void FluidForces::evaluate(const btSoftBody& body, const Around& around) {
     gather(around);
     gatherWater(around);
     const AirDrag drag = around.laws.drag(0);  // of its members only the permeability depends on the water
-    bestKernels().pushByFluid(forces_.data(), faces_.data(), around.pose.places.data(), velocities_.data(),
-                              accelerations_.data(), fluid_.data(),
-                              {float(airDensity), float(waterDensity), float(0.5 * drag.normal),
-                               float(0.5 * drag.tangential), float(addedMass_), float(around.substep)},
-                              faces_.size());
+    bestPushByFluid()(forces_.data(), faces_.data(), around.pose.places.data(), velocities_.data(),
+                      accelerations_.data(), fluid_.data(),
+                      {float(airDensity), float(waterDensity), float(0.5 * drag.normal),
+                       float(0.5 * drag.tangential), float(addedMass_), float(around.substep)},
+                      faces_.size());
     lift(around);
     lastSubstep_ = float(around.substep);
     isGoingOn_ = true;
@@ -108,12 +108,13 @@ void FluidForces::evaluate(const btSoftBody& body, const Around& around) {
 void FluidForces::begin(const btSoftBody& body, const Around& around) {
     bool isHeld = hasRested_ || body.m_anchors.size() > 0;
     for (int n = 0; !isHeld && n < body.m_nodes.size(); ++n) isHeld = !(body.m_nodes[n].m_im > 0);
-    const MovingNode still = {0, 0, 0, 0}, lifted = {-gravity_.x, -gravity_.y, -gravity_.z, 1};
+    const OtherAcceleration none = {0, 0, 0, 0}, falling = {gravity_.x, gravity_.y, gravity_.z, 0};
+    const FluidForce balance = {0, 0, 0, 0}, weight = {-gravity_.x, -gravity_.y, -gravity_.z, 1};
     for (std::size_t n = 0; n < areas_.size(); ++n) {
-        accelerations_[n] = isHeld ? still : gravity_;
-        forces_[n] = isHeld ? still : lifted;
+        accelerations_[n] = isHeld ? none : falling;
+        forces_[n] = isHeld ? balance : weight;
         lastVelocities_[n] = around.pose.speeds[n];
-        meantChanges_[n] = changes_[n] = still;
+        meantChanges_[n] = changes_[n] = PackedVector{0, 0, 0, 0};
     }
     lastGravity_ = gravity_;
     lastSubstep_ = float(around.substep);
@@ -134,21 +135,22 @@ void FluidForces::gather(const Around& around) {
     const auto permeability = float(dry.permeability),
                loss = float(dry.permeability - wet.permeability);  // linear in the saturation
     for (std::size_t n = 0; n < areas_.size(); ++n) {
-        MovingNode &acceleration = accelerations_[n], &force = forces_[n];
+        OtherAcceleration& acceleration = accelerations_[n];
+        FluidForce& force = forces_[n];
         FluidNode& fluid = fluid_[n];
         const Eigen::Array4f speed = arrayOf(around.pose.speeds[n]),
                              change = (speed - arrayOf(lastVelocities_[n])) * perSecond,
                              explained = lastGravity + arrayOf(force) * force.inverseMass;
-        Eigen::Array4f others = arrayOf(acceleration) - lastGravity * (1 - acceleration.inverseMass);
+        Eigen::Array4f others = arrayOf(acceleration) - lastGravity * (1 - acceleration.lifted);
         const Eigen::Array4f meant = explained + others;
         const float size = sizeOf(explained), most = hardest + 2 * size;
         if (size < absurd)
             others += ((change - explained).min(most).max(-most) - others) *
                       (newestInAir + (newestInWater - newestInAir) * fluid.share);
         if (fluid.share > 0) others -= answered(n, meant, change);
-        const float mass = float(around.mechanics.masses[n]), lifted = acceleration.inverseMass;
-        acceleration = nodeOf(gravity + others);
-        acceleration.inverseMass = lifted;
+        const float mass = float(around.mechanics.masses[n]);
+        const Eigen::Array4f sum = gravity + others;
+        acceleration = {sum[0], sum[1], sum[2], acceleration.lifted};
         force = {0, 0, 0, mass > 0 ? 1 / mass : 0};
         fluid.massPerArea = areas_[n] > 0 ? mass / areas_[n] : 0;
         fluid.permeability = permeability - loss * float(around.mechanics.saturations[n]);
@@ -165,7 +167,7 @@ Eigen::Array4f FluidForces::answered(std::size_t node, const Eigen::Array4f& mea
                                      const Eigen::Array4f& change) {
     constexpr float awhile = 0.1f, tiny = 1e-12f;  // s (assumed); m2/s4
     const float towards = lastSubstep_ / (lastSubstep_ + awhile);
-    MovingNode &meanMeant = meantChanges_[node], &meanChange = changes_[node];
+    PackedVector &meanMeant = meantChanges_[node], &meanChange = changes_[node];
     meanMeant = nodeOf(arrayOf(meanMeant) + (meant - arrayOf(meanMeant)) * towards);
     meanChange = nodeOf(arrayOf(meanChange) + (change - arrayOf(meanChange)) * towards);
     // Only along the estimate: what vibrates in other directions says nothing of it.
@@ -200,7 +202,7 @@ void FluidForces::immerse(std::size_t node, float share, float displacedOverMass
     fluid.share = share;
     answerLift(node, share * displacedOverMass);
     if (!(share > 0)) {
-        meantChanges_[node] = changes_[node] = MovingNode{0, 0, 0, 0};
+        meantChanges_[node] = changes_[node] = PackedVector{0, 0, 0, 0};
         return;
     }
     const float inWater = share * float(waterDensity), inAir = (1 - share) * float(airDensity);
@@ -220,7 +222,7 @@ float FluidForces::displacedAtMost(std::size_t node, const Around& around) const
 /// node has been would make what floats bob ever higher.
 float FluidForces::shareAtEnd(std::size_t node, float displacedOverMass, const Around& around) const {
     const auto dt = float(around.substep), gravity = float(around.pose.gravity);
-    const MovingNode up = packed(around.pose.up);
+    const PackedVector up = packed(around.pose.up);
     const float depth =
         around.water.depth(node) -
         dot(arrayOf(around.pose.speeds[node]) - arrayOf(around.water.velocity(node)), arrayOf(up)) * dt;
@@ -239,19 +241,19 @@ float FluidForces::shareAtEnd(std::size_t node, float displacedOverMass, const A
 /// water that goes along would.
 void FluidForces::answerLift(std::size_t node, float lifted) {
     constexpr float nothing = 0.01f;  // m2/s4
-    MovingNode& acceleration = accelerations_[node];
+    OtherAcceleration& acceleration = accelerations_[node];
     const Eigen::Array4f weight = arrayOf(gravity_) * (1 - lifted),
-                         last = arrayOf(lastGravity_) * (1 - acceleration.inverseMass),
+                         last = arrayOf(lastGravity_) * (1 - acceleration.lifted),
                          others = arrayOf(acceleration) - arrayOf(gravity_);
     const float held = std::clamp((nothing - dot(others, last)) / (nothing + dot(last, last)), 0.0f, 1.0f);
-    acceleration = nodeOf(weight + others - (weight - last) * held);
-    acceleration.inverseMass = lifted;
+    const Eigen::Array4f sum = weight + others - (weight - last) * held;
+    acceleration = {sum[0], sum[1], sum[2], lifted};
 }
 
 void FluidForces::lift(const Around& around) {
     for (const std::size_t n : wet_) {
-        const float mass = float(around.mechanics.masses[n]) * accelerations_[n].inverseMass;
-        MovingNode& force = forces_[n];
+        const float mass = float(around.mechanics.masses[n]) * accelerations_[n].lifted;
+        FluidForce& force = forces_[n];
         force = {force.x - gravity_.x * mass, force.y - gravity_.y * mass, force.z - gravity_.z * mass,
                  force.inverseMass};
     }

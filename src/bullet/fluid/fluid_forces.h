@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "bullet/fluid/submersion.h"
+#include "bullet/packed/fluid_kernels.h"
 #include "bullet/sheet/pose.h"
 #include "bullet/sheet/sheet_mechanics.h"
-#include "bullet/small_steps/small_step_kernels.h"
 #include "drench/fabric.h"
 #include "drench/moisture.h"
 #include "drench/precision.h"
@@ -42,7 +42,7 @@ class FluidForces {
     /// What a substep needs.
     struct Around {
         const WetLaws& laws;
-        const std::vector<MovingNode>& winds;  // velocity of the air at each node, m/s
+        const std::vector<PackedVector>& winds;  // velocity of the air at each node, m/s
         const Submersion& water;
         const Moisture& moisture;
         const SheetMechanics& mechanics;
@@ -87,22 +87,21 @@ class FluidForces {
     double totalArea_;          // m2
     double addedMass_;          // under water, kg/m2
     std::vector<FaceBlock> faces_;
-    // Of each node, and a spare one; see SmallStepKernels::pushByFluid. They last until the next substep, which
-    // learns from them.
-    std::vector<MovingNode> velocities_;
-    std::vector<MovingNode> accelerations_;  // with the share of the weight that water lifts as fourth
-    std::vector<MovingNode> forces_;         // with the inverse masses
+    // Of each node, and a spare one; see PushByFluid. They last until the next substep, which learns from them.
+    std::vector<PackedVector> velocities_;
+    std::vector<OtherAcceleration> accelerations_;
+    std::vector<FluidForce> forces_;
     std::vector<FluidNode> fluid_;
     std::vector<std::size_t> wet_;  // nodes that are in water
 
-    bool isGoingOn_ = false;                  // from the last substep
-    bool hasRested_ = false;                  // at some time
-    float lastSubstep_ = 0;                   // s
-    MovingNode gravity_ = {0, 0, 0, 0};       // m/s2
-    MovingNode lastGravity_ = {0, 0, 0, 0};   // of the last substep, m/s2
-    std::vector<MovingNode> lastVelocities_;  // as the last substep began, m/s
+    bool isGoingOn_ = false;                    // from the last substep
+    bool hasRested_ = false;                    // at some time
+    float lastSubstep_ = 0;                     // s
+    PackedVector gravity_ = {0, 0, 0, 0};       // m/s2
+    PackedVector lastGravity_ = {0, 0, 0, 0};   // of the last substep, m/s2
+    std::vector<PackedVector> lastVelocities_;  // as the last substep began, m/s
     // Means over a while under water of the acceleration that was meant and the one that came of it, m/s2.
-    std::vector<MovingNode> meantChanges_, changes_;
+    std::vector<PackedVector> meantChanges_, changes_;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bullet/small_steps/small_step_kernels.h"
+#include "bullet/packed/nodes.h"
 #include "bullet/world/vectors.h"
 #include "drench/precision.h"
 
@@ -19,7 +19,7 @@ class BulletPass;
 class Submersion {
   public:
     explicit Submersion(std::size_t nodes)
-        : isUnder_(nodes, 0), depths_(nodes, 0), velocities_(nodes, MovingNode{0, 0, 0, 0}) {}
+        : isUnder_(nodes, 0), depths_(nodes, 0), velocities_(nodes, PackedVector{0, 0, 0, 0}) {}
 
     /// Of several waters around a node the deepest counts.
     void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) {
@@ -41,7 +41,7 @@ class Submersion {
     /// Of such a node, m below the surface.
     float depth(std::size_t node) const { return depths_[node]; }
     /// Of the water there, m/s.
-    const MovingNode& velocity(std::size_t node) const { return velocities_[node]; }
+    const PackedVector& velocity(std::size_t node) const { return velocities_[node]; }
 
   private:
     friend class BulletPass;
@@ -49,7 +49,7 @@ class Submersion {
 
     std::vector<char> isUnder_;
     std::vector<float> depths_;
-    std::vector<MovingNode> velocities_;
+    std::vector<PackedVector> velocities_;
     std::vector<std::size_t> nodes_;
 };
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "bullet/fluid/rigid_shelter.h"
-#include "bullet/small_steps/node_arrays.h"
+#include "bullet/packed/node_arrays.h"
 #include "bullet/world/vectors.h"
 #include "drench/wind.h"
 
@@ -22,7 +22,7 @@ constexpr std::size_t mostPatches = 256, leastNodes = 16;
 // In which the shelter follows what the rays say, s (assumed).
 constexpr double shelterTime = 0.3;
 
-Eigen::Vector3d vector3Of(const MovingNode& node) {
+Eigen::Vector3d vector3Of(const PackedVector& node) {
     return {double(node.x), double(node.y), double(node.z)};
 }
 
@@ -56,7 +56,7 @@ std::vector<std::vector<std::size_t>> neighboursOf(const ClothMesh& mesh) {
 
 }  // namespace
 
-WindAtNodes::WindAtNodes(const ClothMesh& mesh) : velocities_(mesh.size(), MovingNode{0, 0, 0, 0}) {
+WindAtNodes::WindAtNodes(const ClothMesh& mesh) : velocities_(mesh.size(), PackedVector{0, 0, 0, 0}) {
     for (const double area : mesh.areas) areas_.push_back(float(area));
     makePatches(mesh);
 }
@@ -140,7 +140,7 @@ void WindAtNodes::interpolate(const Pose& pose) {
         const Eigen::Array4f at = (arrayOf(pose.places[n]) - low_) * perDistance;
         const Eigen::Array4i cell = at.cast<int>().min(last);
         const Eigen::Array4f rest = at - cell.cast<float>();
-        const MovingNode* const corner =
+        const PackedVector* const corner =
             &lattice_[static_cast<std::size_t>(cell[0]) + static_cast<std::size_t>(cell[1]) * row +
                       static_cast<std::size_t>(cell[2]) * layer];
         const auto between = [](const Eigen::Array4f& a, const Eigen::Array4f& b, float share) {

@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "bullet/packed/nodes.h"
 #include "bullet/sheet/pose.h"
-#include "bullet/small_steps/small_step_kernels.h"
 #include "drench/air.h"
 #include "drench/cloth_mesh.h"
 #include "drench/precision.h"
@@ -37,7 +37,7 @@ class WindAtNodes {
     void evaluate(const Air& air, const Moment& moment);
 
     /// m/s
-    const std::vector<MovingNode>& velocities() const { return velocities_; }
+    const std::vector<PackedVector>& velocities() const { return velocities_; }
     /// Of the cloth, by its nodes' areas, m/s.
     const Eigen::Vector3d& mean() const { return mean_; }
 
@@ -65,14 +65,14 @@ class WindAtNodes {
     void average();
 
     std::vector<float> areas_;  // of nodes, m2
-    std::vector<MovingNode> velocities_;
+    std::vector<PackedVector> velocities_;
     Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
     bool isUniform_ = true;
 
     std::array<std::size_t, 3> points_ = {2, 2, 2};  // along each axis
     Eigen::Array4f low_ = Eigen::Array4f::Zero();    // corner of the lattice, m, as the pose's places
     Eigen::Array4f distance_ = Eigen::Array4f::Ones();
-    std::array<MovingNode, mostPoints * mostPoints * mostPoints> lattice_{};  // m/s
+    std::array<PackedVector, mostPoints * mostPoints * mostPoints> lattice_{};  // m/s
 
     std::vector<Patch> patches_;
     std::size_t nextRay_ = 0;

@@ -19,8 +19,6 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-constexpr std::size_t mostDropsKept = 100000;
-
 double checkedWaterSpeed(const char* name, double waterSpeed) {
     if (waterSpeed >= 0 && waterSpeed <= 1e5) return waterSpeed;
     throw std::invalid_argument("drench: " + (name + (" is " + std::to_string(waterSpeed))) +
@@ -103,7 +101,8 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       application({moisture, arrivals, submersion, body, watch}, 0, 1, 0),
       pose(mesh),
       contacts(mesh.size()),
-      arrivals(mesh.size()) {
+      arrivals(mesh.size()),
+      ticks(world, *this) {
     mechanics.evaluate(laws, moisture);
     writeMasses(body, mechanics.masses);
     body.updateLinkConstants();  // fit for the masses, until the first substep brings those of the fabric
@@ -113,12 +112,10 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
                                                        std::max(1.0, double(fabric.wetBendingRatio)));
     pose.gather(body, mesh);
     topology.follow(body);
-    if (stepping == Stepping::byWorld) listenToPreTick(world, *this);
+    if (stepping == Stepping::byWorld) ticks.hearPreTicks();
 }
 
 WetCloth::Layer::~Layer() {
-    if (stepping == Stepping::byWorld) stopListeningToPreTick(world, *this);
-    stopAwaitingPostTick(world, *this);
     const bool bodyIsAlive = watch.bodyIsAlive();
     if (bodyIsAlive && topology.hasMoved(body)) {  // cut since the last substep
         topology.follow(body);
@@ -264,7 +261,7 @@ void WetCloth::Layer::substep(btScalar dt) {
     mechanics.times.air += watchOfStages.lap();
     if (deformable) deformable->write(body);
     ++mechanics.times.substeps;
-    awaitPostTick(world, *this);
+    ticks.awaitPostTick();
 }
 
 void WetCloth::Layer::postTick(btScalar dt) {

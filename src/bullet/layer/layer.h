@@ -26,8 +26,7 @@
 #include "bullet/sheet/pose.h"
 #include "bullet/sheet/sheet_mechanics.h"
 #include "bullet/world/body_watch.h"
-#include "bullet/world/post_tick.h"
-#include "bullet/world/pre_tick.h"
+#include "bullet/world/ticks.h"
 #include "drench/drop.h"
 #include "drench/moisture.h"
 #include "drench/snapshot.h"
@@ -41,7 +40,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 class BulletPass;
 
 /// One sheet in one world, in the order of the step.
-struct WetCloth::Layer final : PreTickListener, PostTickListener {
+struct WetCloth::Layer final : TickListener {
     Layer(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
           const SheetSettings& settings);
     ~Layer();
@@ -171,6 +170,8 @@ struct WetCloth::Layer final : PreTickListener, PostTickListener {
     PartCounts refused = {0, 0, 0};  // of the body that could not be followed last
     std::string whyRefused;
     std::vector<btVector3> strangersPlaces;  // of its nodes, m
+
+    Ticks ticks;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include "bullet/world/limits.h"
+
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 

@@ -12,11 +12,6 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// What a sheet may have at most; beyond that single precision, and Bullet's trees, come to no good.
-constexpr double farthestPlace = 1e7;  // m, along an axis; Bullet counts the voxels up to there with an int
-constexpr double fastestNode = 1e6;    // m/s, along an axis
-constexpr double strongestGravity = 1e4;  // m/s2
-
 /// Mends the settings of m_cfg: those that are out of range get Bullet's default.
 void mendSettings(btSoftBody& body, Troubles& troubles);
 

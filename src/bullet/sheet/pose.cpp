@@ -1,13 +1,13 @@
 #include "bullet/sheet/pose.h"
 
-#include "bullet/repair/mending.h"
+#include "bullet/world/limits.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 Pose::Pose(const ClothMesh& mesh)
-    : places(mesh.size() + 1, MovingNode{0, 0, 0, 0}),
-      speeds(mesh.size() + 1, MovingNode{0, 0, 0, 0}),
+    : places(mesh.size() + 1, PackedVector{0, 0, 0, 0}),
+      speeds(mesh.size() + 1, PackedVector{0, 0, 0, 0}),
       heights(mesh.size()),
       positions(mesh.size()),
       velocities(mesh.size()),

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "bullet/small_steps/small_step_kernels.h"
+#include "bullet/packed/nodes.h"
 #include "bullet/world/vectors.h"
 #include "drench/cloth_mesh.h"
 #include "drench/precision.h"
@@ -29,9 +29,9 @@ struct Pose {
     void gatherMotion(const btSoftBody& body);
 
     btVector3 origin = btVector3(0, 0, 0);  // of the places, m: the first node
-    std::vector<MovingNode> places;  // m, from there, so that far from the world's origin digits are kept
-    std::vector<MovingNode> speeds;  // m/s
-    std::vector<float> heights;      // m, of places along `up`
+    std::vector<PackedVector> places;  // m, from there, so that far from the world's origin digits are kept
+    std::vector<PackedVector> speeds;  // m/s
+    std::vector<float> heights;        // m, of places along `up`
     Eigen::Vector3d meanVelocity = Eigen::Vector3d::Zero();  // of the cloth, by its nodes' areas, m/s
 
     Eigen::Vector3d up = Eigen::Vector3d::Zero();   // against gravity; zero without
@@ -41,7 +41,7 @@ struct Pose {
     std::vector<std::vector<int>> trianglesAround;  // indices, of each node
 
   private:
-    std::vector<MovingNode> newPlaces_;
+    std::vector<PackedVector> newPlaces_;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

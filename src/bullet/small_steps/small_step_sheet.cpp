@@ -7,8 +7,8 @@
 #include <limits>
 #include <map>
 
-#include "bullet/repair/mending.h"
-#include "bullet/small_steps/independent_blocks.h"
+#include "bullet/packed/independent_blocks.h"
+#include "bullet/world/limits.h"
 #include "cloth/plate_bending.h"
 
 namespace drench {

@@ -1,7 +1,7 @@
 #include "bullet/state/body_state.h"
 
-#include "bullet/repair/mending.h"
 #include "bullet/sheet/face_tree.h"
+#include "bullet/world/limits.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

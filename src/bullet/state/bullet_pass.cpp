@@ -13,14 +13,6 @@ void BulletPass::matrix(btMatrix3x3& value) {
     for (int row = 0; row < 3; ++row) vector(value[row], unlimited);
 }
 
-void BulletPass::node(MovingNode& value) {
-    for (float* part : {&value.x, &value.y, &value.z, &value.inverseMass}) number(*part, -1e9, 1e9);
-}
-
-void BulletPass::nodes(std::vector<MovingNode>& values, std::size_t count) {
-    for (std::size_t n = 0; n < count; ++n) node(values[n]);
-}
-
 void BulletPass::nameAll() {
     const auto& all = world_.getCollisionObjectArray();
     for (int i = 0; i < all.size(); ++i) places_.emplace(all[i], i);

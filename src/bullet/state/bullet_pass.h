@@ -7,7 +7,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bullet/small_steps/small_step_kernels.h"
 #include "drench/precision.h"
 #include "state/state_pass.h"
 
@@ -34,9 +33,17 @@ class BulletPass : public StatePass {
     using StatePass::vector;
     void vector(btVector3& value, double most = farthest);
     void matrix(btMatrix3x3& value);
-    void node(MovingNode& value);
+    /// A packed node of any kind.
+    template <typename Node>
+    void node(Node& value) {
+        auto& [x, y, z, fourth] = value;
+        for (float* part : {&x, &y, &z, &fourth}) number(*part, -1e9, 1e9);
+    }
     /// The first so many of them.
-    void nodes(std::vector<MovingNode>& values, std::size_t count);
+    template <typename Node>
+    void nodes(std::vector<Node>& values, std::size_t count) {
+        for (std::size_t n = 0; n < count; ++n) node(values[n]);
+    }
 
     enum class Which { solid, soft };
     /// An object, by its address alone; it may be gone, and is then none.

@@ -9,9 +9,9 @@
 #include "bullet/fluid/submersion.h"
 #include "bullet/fluid/wind_at_nodes.h"
 #include "bullet/layer/account_supply.h"
-#include "bullet/repair/mending.h"
 #include "bullet/small_steps/small_step_sheet.h"
 #include "bullet/state/bullet_pass.h"
+#include "bullet/world/limits.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -22,8 +22,9 @@ void AccountSupply::state(BulletPass& pass) {
 
 void FluidForces::state(BulletPass& pass) {
     const std::size_t count = areas_.size();
-    for (auto* nodes : {&accelerations_, &forces_, &lastVelocities_, &meantChanges_, &changes_})
-        pass.nodes(*nodes, count);
+    pass.nodes(accelerations_, count);
+    pass.nodes(forces_, count);
+    for (auto* nodes : {&lastVelocities_, &meantChanges_, &changes_}) pass.nodes(*nodes, count);
     for (std::size_t n = 0; n < count; ++n) {
         pass.number(fluid_[n].share, 0, 1);
         pass.number(fluid_[n].shareBefore, 0, 1);
@@ -35,8 +36,8 @@ void FluidForces::state(BulletPass& pass) {
     pass.flag(isGoingOn_);
     pass.flag(hasRested_);
     pass.number(lastSubstep_, 0);
-    for (MovingNode* gravity : {&gravity_, &lastGravity_})
-        for (float* part : {&gravity->x, &gravity->y, &gravity->z, &gravity->inverseMass})
+    for (PackedVector* gravity : {&gravity_, &lastGravity_})
+        for (float* part : {&gravity->x, &gravity->y, &gravity->z, &gravity->unused})
             pass.number(*part, -strongestGravity, strongestGravity);
 }
 
@@ -82,7 +83,7 @@ void Submersion::state(BulletPass& pass) {
     struct Under {
         std::size_t node = 0;
         float depth = 0;
-        MovingNode velocity = {0, 0, 0, 0};
+        PackedVector velocity = {0, 0, 0, 0};
     };
     std::vector<Under> all;
     if (pass.saves())

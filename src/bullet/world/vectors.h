@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "bullet/small_steps/small_step_kernels.h"
+#include "bullet/packed/nodes.h"
 #include "drench/precision.h"
 
 namespace drench {
@@ -19,7 +19,9 @@ inline btVector3 toBullet(const Eigen::Vector3d& v) {
     return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
 }
 
-inline btVector3 vectorOf(const MovingNode& node) {
+/// Of a packed node of any kind.
+template <typename Node>
+btVector3 vectorOf(const Node& node) {
     return {btScalar(node.x), btScalar(node.y), btScalar(node.z)};
 }
 

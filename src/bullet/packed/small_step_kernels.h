@@ -1,19 +1,12 @@
-// The hot loops of the small steps, on packed arrays: once for any processor, and once eight at a time.
+// The hot loops of the small steps: once for any processor, and once eight at a time.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
+#include "bullet/packed/nodes.h"
+
 namespace drench {
-
-/// How far a node has come since the substep began, m, and its inverse mass, 1/kg. Displacements stay small,
-/// so that single precision resolves what gravity adds in the shortest step.
-struct alignas(16) MovingNode {
-    float x, y, z, inverseMass;
-};
-
-/// So many links or plates are solved at once; no two of a block share a node.
-inline constexpr std::size_t blockWidth = 8;
 
 /// Wet over dry, of the cloth around a node.
 struct alignas(16) NodeRatios {
@@ -59,29 +52,6 @@ struct PlateTimes {
     float every;      // so many small steps
 };
 
-/// Eight faces.
-struct alignas(32) FaceBlock {
-    std::int32_t nodes[3][blockWidth];
-    float restArea[blockWidth];  // m2
-};
-
-/// A node in air and water.
-struct alignas(16) FluidNode {
-    float share;         // that is under water, 0 to 1
-    float shareBefore;   // that was in the last substep, at most that of now
-    float massPerArea;   // of the cloth with its water, kg/m2
-    float permeability;  // speed of the fluid through the cloth per pressure, m/(s Pa)
-};
-
-/// How air and water push; see FluidForces.
-struct FluidLaws {
-    float airDensity, waterDensity;  // kg/m3
-    float pressure;                  // over the density and the square of the speed across a face, 1
-    float shear;                     // over the density and the square of the speed along it, 1
-    float addedMass;                 // of the water that moves along across the cloth, kg/m2
-    float substep;                   // s
-};
-
 /// The constant by which a link's stretch is divided before its nodes take it back: w for hard links, w / 2 + 1
 /// / (k h^2) for those that a sweep resolves, w the sum of inverse masses; see link_constants.h. Between two
 /// pins 1, as nothing moves.
@@ -114,14 +84,6 @@ struct SmallStepKernels {
     void (*advance)(MovingNode* moved, MovingNode* predicted, MovingNode* steps, const MovingNode* push,
                     float keep, std::size_t count);
 
-    /// Adds the forces of the fluid to the nodes of faces, N.
-    /// @param positions      m
-    /// @param velocities     against the fluid, m/s
-    /// @param accelerations  by everything but this, m/s2
-    void (*pushByFluid)(MovingNode* forces, const FaceBlock* blocks, const MovingNode* positions,
-                        const MovingNode* velocities, const MovingNode* accelerations, const FluidNode* fluid,
-                        const FluidLaws& laws, std::size_t count);
-
     /// Reads off what the links need for this substep.
     /// @param start           positions, m
     /// @param dry             stiffness of the dry cloth, N/m, of each link in the order of the blocks
@@ -144,6 +106,7 @@ struct SmallStepKernels {
                         const PlateWeights* weights, std::size_t count);
 };
 
+/// For any processor.
 const SmallStepKernels& scalarKernels();
 /// The fastest that this processor has.
 const SmallStepKernels& bestKernels();

@@ -1,17 +1,16 @@
-#include "bullet/small_steps/small_step_kernels.h"
+#include "bullet/packed/small_step_kernels.h"
 
 #include <cmath>
 
-namespace drench {
-
+#include "bullet/packed/scalar_vectors.h"
 #if defined(__GNUC__)
-namespace baseline {
-#include "bullet/small_steps/small_step_kernels_wide.inc"
-}  // namespace baseline
+#include "bullet/packed/small_step_kernels_wide.h"
 #endif
 
+namespace drench {
+
 #if defined(DRENCH_HAS_AVX2_KERNELS)
-const SmallStepKernels& avx2Kernels();
+const SmallStepKernels& avx2Kernels();  // see kernels_avx2.cpp
 #endif
 
 namespace {
@@ -28,87 +27,6 @@ void advance(MovingNode* moved, MovingNode* predicted, MovingNode* steps, const 
         node.z += step.z;
         predicted[n] = node;
     }
-}
-
-void addTo(MovingNode& node, float x, float y, float z, float by) {
-    node.x += x * by;
-    node.y += y * by;
-    node.z += z * by;
-}
-
-/// @return twice the area
-float normalOf(float* normal, const MovingNode& a, const MovingNode& b, const MovingNode& c) {
-    constexpr float tiny = 1e-30f;
-    const float u[3] = {b.x - a.x, b.y - a.y, b.z - a.z}, v[3] = {c.x - a.x, c.y - a.y, c.z - a.z};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        normal[axis] = u[(axis + 1) % 3] * v[(axis + 2) % 3] - u[(axis + 2) % 3] * v[(axis + 1) % 3];
-    const float length =
-        std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2] + tiny);
-    for (std::size_t axis = 0; axis < 3; ++axis) normal[axis] /= length;
-    return length;
-}
-
-void meanOf(float* mean, const MovingNode& a, const MovingNode& b, const MovingNode& c) {
-    constexpr float third = 1.0f / 3;
-    mean[0] = (a.x + b.x + c.x) * third;
-    mean[1] = (a.y + b.y + c.y) * third;
-    mean[2] = (a.z + b.z + c.z) * third;
-}
-
-/// Force of the fluid on a third of a face; see the wide form.
-void pushFace(MovingNode* forces, const FaceBlock& block, const MovingNode* positions,
-              const MovingNode* velocities, const MovingNode* accelerations, const FluidNode* fluid,
-              const FluidLaws& laws, std::size_t lane) {
-    constexpr float tiny = 1e-30f, third = 1.0f / 3;
-    const std::int32_t nodes[3] = {block.nodes[0][lane], block.nodes[1][lane], block.nodes[2][lane]};
-    const std::int32_t a = nodes[0], b = nodes[1], c = nodes[2];
-    float normal[3], velocity[3], acceleration[3], next[3], through = 0, pulled = 0, alongSquared = 0;
-    const float area = 0.5f * normalOf(normal, positions[a], positions[b], positions[c]);
-    meanOf(velocity, velocities[a], velocities[b], velocities[c]);
-    meanOf(acceleration, accelerations[a], accelerations[b], accelerations[c]);
-    FluidNode mean = {0, 0, 0, 0};
-    for (const std::int32_t node : nodes) {
-        mean.share += fluid[node].share * third;
-        mean.shareBefore += fluid[node].shareBefore * third;
-        mean.massPerArea += fluid[node].massPerArea * third;
-        mean.permeability += fluid[node].permeability * third;
-    }
-    const float mass = mean.massPerArea * block.restArea[lane], most = laws.addedMass * block.restArea[lane],
-                added = mean.share * most, both = mass + added, before = mass + mean.shareBefore * most;
-    const float density = laws.airDensity + (laws.waterDensity - laws.airDensity) * mean.share;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        through += velocity[axis] * normal[axis];
-        pulled += acceleration[axis] * normal[axis];
-        next[axis] = velocity[axis] + acceleration[axis] * laws.substep;
-    }
-    const float nextAcross = through + pulled * laws.substep;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        next[axis] -= normal[axis] * nextAcross;
-        alongSquared += next[axis] * next[axis];
-    }
-    const float momentum = before * through + mass * pulled * laws.substep, size = std::abs(momentum);
-    const float pressure = laws.pressure * density, shear = laws.shear * density * area;
-    const float slowing = (both * mean.permeability + area * laws.substep) * pressure;
-    const float left = 2 * size / (both + std::sqrt(both * both + 4 * size * slowing) + tiny);
-    const float dragAcross = area * pressure * left * (momentum < 0 ? -left : left);
-    const float across =
-        mass / (both + tiny) * (dragAcross + added * pulled + (both - before) * through / laws.substep);
-    const float speedAlong = std::sqrt(alongSquared);
-    const float share =
-        2 * mass / (mass + std::sqrt(mass * mass + 4 * mass * shear * laws.substep * speedAlong) + tiny);
-    const float along = shear * speedAlong * share * share;
-    float force[3];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        force[axis] = -third * (normal[axis] * across + next[axis] * along);
-    for (const std::int32_t node : nodes) addTo(forces[node], force[0], force[1], force[2], 1);
-}
-
-void pushByFluid(MovingNode* forces, const FaceBlock* blocks, const MovingNode* positions,
-                 const MovingNode* velocities, const MovingNode* accelerations, const FluidNode* fluid,
-                 const FluidLaws& laws, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t lane = 0; lane < blockWidth; ++lane)
-            pushFace(forces, blocks[i], positions, velocities, accelerations, fluid, laws, lane);
 }
 
 void prepareLinks(LinkBlock* blocks, const float* dry, const MovingNode* start, const NodeRatios* ratios,
@@ -261,7 +179,7 @@ void preparePlates(MovingNode* push, PlateBlock* blocks, PlateState* states, con
 }  // namespace
 
 const SmallStepKernels& scalarKernels() {
-    static const SmallStepKernels kernels = {"scalar",   advance,       pushByFluid, prepareLinks,
+    static const SmallStepKernels kernels = {"scalar",   advance,       prepareLinks,
                                              solveLinks, preparePlates, solvePlates};
     return kernels;
 }
@@ -271,9 +189,8 @@ const SmallStepKernels& scalarKernels() {
 namespace {
 
 const SmallStepKernels& baselineKernels() {
-    static const SmallStepKernels kernels = {
-        "baseline vectors",   baseline::advance,       baseline::pushByFluid, baseline::prepareLinks,
-        baseline::solveLinks, baseline::preparePlates, baseline::solvePlates};
+    static const SmallStepKernels kernels = {"baseline vectors", wide::advance,       wide::prepareLinks,
+                                             wide::solveLinks,   wide::preparePlates, wide::solvePlates};
     return kernels;
 }
 

@@ -3,19 +3,20 @@
 
 #include <Eigen/Core>
 
-#include "bullet/small_steps/small_step_kernels.h"
+#include "bullet/packed/nodes.h"
 
 namespace drench {
 
-inline Eigen::Map<const Eigen::Array4f, Eigen::Aligned16> arrayOf(const MovingNode& node) {
+template <typename Node>
+Eigen::Map<const Eigen::Array4f, Eigen::Aligned16> arrayOf(const Node& node) {
     return Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>(&node.x);
 }
 
-inline MovingNode nodeOf(const Eigen::Array4f& array) {
+inline PackedVector nodeOf(const Eigen::Array4f& array) {
     return {array[0], array[1], array[2], array[3]};
 }
 
-inline MovingNode packed(const Eigen::Vector3d& vector) {
+inline PackedVector packed(const Eigen::Vector3d& vector) {
     return {float(vector.x()), float(vector.y()), float(vector.z()), 0};
 }
 

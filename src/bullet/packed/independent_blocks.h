@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bullet/small_steps/small_step_kernels.h"
+#include "bullet/packed/nodes.h"
 
 namespace drench {
 

@@ -1,0 +1,19 @@
+// Compiled for AVX2 and FMA; called only where the processor has them.
+#include "bullet/packed/fluid_kernels_wide.h"
+#include "bullet/packed/small_step_kernels_wide.h"
+
+namespace drench {
+
+const SmallStepKernels& avx2Kernels();
+const SmallStepKernels& avx2Kernels() {
+    static const SmallStepKernels kernels = {"AVX2",           wide::advance,       wide::prepareLinks,
+                                             wide::solveLinks, wide::preparePlates, wide::solvePlates};
+    return kernels;
+}
+
+PushByFluid avx2PushByFluid();
+PushByFluid avx2PushByFluid() {
+    return wide::pushByFluid;
+}
+
+}  // namespace drench
