@@ -1,4 +1,4 @@
-// Edges of meshes and triangles around nodes, against a count by hand and Euler's formula.
+// Edges, neighbours and independent sets of meshes, against a count by hand and Euler's formula.
 #include "cloth/mesh_edges.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "cloth/independent_sets.h"
 #include "meshes.h"
 
 namespace drench::mesh_edges_test {
@@ -182,6 +183,38 @@ TEST(CompressedRows, KeepTheOrderInWhichValuesCome) {
     EXPECT_EQ(asVector(2), (std::vector<std::size_t>{5, 4, 6}));
     EXPECT_EQ(asVector(3), (std::vector<std::size_t>{}));
     EXPECT_EQ(CompressedRows<int>().size(), 0u);
+}
+
+/// Each element gets the first colour that no earlier element with a node in common has.
+std::vector<std::vector<int>> firstFit(const Triangles& elements) {
+    std::vector<std::vector<int>> colours;
+    std::vector<std::size_t> colourOf;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        std::set<std::size_t> taken;
+        for (std::size_t before = 0; before < i; ++before)
+            for (const int node : elements[i])
+                if (node >= 0 && std::count(elements[before].begin(), elements[before].end(), node) > 0)
+                    taken.insert(colourOf[before]);
+        std::size_t colour = 0;
+        while (taken.count(colour) > 0) ++colour;
+        colourOf.push_back(colour);
+        if (colour == colours.size()) colours.emplace_back();
+        colours[colour].push_back(int(i));
+    }
+    return colours;
+}
+
+TEST(IndependentSets, AreTheColoursOfTheFirstFit) {
+    for (const Named& mesh : meshes()) {
+        SCOPED_TRACE(mesh.name);
+        Triangles elements = mesh.triangles;
+        if (elements.size() > 3) elements[3][1] = -1;  // no node
+        IndependentSets sets(elements, mesh.nodes);
+        std::vector<int> waiting;
+        for (int i = 0; i < int(elements.size()); ++i) waiting.push_back(i);
+        for (const std::vector<int>& colour : firstFit(elements)) EXPECT_EQ(sets.take(waiting), colour);
+        EXPECT_TRUE(waiting.empty());
+    }
 }
 
 }  // namespace
