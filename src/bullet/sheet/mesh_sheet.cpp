@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bullet/sheet/link_order.h"
+#include "bullet/sheet/node_masses.h"
 #include "bullet/world/vectors.h"
 #include "cloth/mesh_edges.h"
 #include "drench/sheet.h"
@@ -60,24 +61,15 @@ void appendCloth(btSoftBody& body, const TriangleMesh& mesh) {
     }
 }
 
-/// Masses of cloth alone, a third of each face to each of its nodes.
 void setMasses(btSoftBody& body, double arealDensity) {
-    std::vector<double> masses(static_cast<std::size_t>(body.m_nodes.size()), 0.0);
-    for (int f = 0; f < body.m_faces.size(); ++f) {
-        const btSoftBody::Face& face = body.m_faces[f];
-        const btVector3& origin = face.m_n[0]->m_x;
-        const double area = double((face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin).length()) / 2;
+    writeClothMasses(body, arealDensity, [&](int face, btScalar inBullet) {
+        const auto area = double(inBullet);
         if (!(area > 0) || !std::isfinite(btScalar(1 / (arealDensity * area))))
-            throw std::invalid_argument("drench: mesh: triangle " + std::to_string(f) + " has an area of " +
-                                        std::to_string(area) +
+            throw std::invalid_argument("drench: mesh: triangle " + std::to_string(face) +
+                                        " has an area of " + std::to_string(area) +
                                         " m2 as Bullet sees it; set its nodes apart, move the mesh closer to "
                                         "the origin, or scale it to metres");
-        for (const btSoftBody::Node* node : face.m_n)
-            masses[static_cast<std::size_t>(node - &body.m_nodes[0])] += arealDensity * area / 3;
-    }
-    for (int n = 0; n < body.m_nodes.size(); ++n)
-        body.m_nodes[n].m_im = btScalar(1 / masses[static_cast<std::size_t>(n)]);
-    body.updateLinkConstants();
+    });
 }
 
 btScalar meanLinkLength(const btSoftBody& body) {
