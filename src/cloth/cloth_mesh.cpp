@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "cloth/mesh_edges.h"
+
 namespace drench {
 
 namespace {
@@ -56,7 +58,7 @@ ClothMesh flatMesh(const std::vector<Eigen::Vector2d>& coordinates,
                     "drench: " + missingNode(mesh.coordinates.size(), nodes[corner], coordinates.size()));
             corners[corner] = coordinates[static_cast<std::size_t>(nodes[corner])];
         }
-        for (const int node : nodes) mesh.areas[static_cast<std::size_t>(node)] += triangleArea(corners) / 3;
+        addThirds(nodes, triangleArea(corners), mesh.areas);
         mesh.coordinates.push_back(corners);
     }
     return mesh;

@@ -6,15 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "cloth/mesh_edges.h"
+
 namespace drench {
 
 namespace {
-
-using NodePair = std::pair<int, int>;
-
-NodePair pairOf(int a, int b) {
-    return {std::min(a, b), std::max(a, b)};
-}
 
 /// A triangle as seen from one of its edges, in its own material coordinates.
 struct Beside {
@@ -22,27 +18,20 @@ struct Beside {
     Eigen::Vector2d from, to, apex;  // ends of the edge, lower node first, and the opposite corner
 };
 
-/// The one or two triangles at an edge.
-struct EdgeTriangles {
-    double area = 0;  // of both together
-    std::vector<Beside> beside;
-};
+Beside besideOf(const ClothMesh& mesh, const EdgeTriangle& at) {
+    const auto& nodes = mesh.triangles[at.triangle];
+    const auto& corners = mesh.coordinates[at.triangle];
+    std::size_t from = (at.apex + 1) % 3, to = (at.apex + 2) % 3;
+    if (nodes[from] > nodes[to]) std::swap(from, to);
+    return {nodes[at.apex], corners[from], corners[to], corners[at.apex]};
+}
 
-std::map<NodePair, EdgeTriangles> edgesOf(const ClothMesh& mesh) {
-    std::map<NodePair, EdgeTriangles> edges;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto& nodes = mesh.triangles[t];
-        const auto& corners = mesh.coordinates[t];
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            std::size_t from = corner, to = (corner + 1) % 3;
-            const std::size_t apex = (corner + 2) % 3;
-            if (nodes[from] > nodes[to]) std::swap(from, to);
-            EdgeTriangles& edge = edges[{nodes[from], nodes[to]}];
-            edge.area += triangleArea(corners);
-            edge.beside.push_back({nodes[apex], corners[from], corners[to], corners[apex]});
-        }
-    }
-    return edges;
+/// Of the triangles at an edge together, m2.
+double areaAt(const ClothMesh& mesh, const MeshEdges& edges, std::size_t edge) {
+    double area = 0;
+    for (const EdgeTriangle& at : edges.trianglesAt(edge))
+        area += triangleArea(mesh.coordinates[at.triangle]);
+    return area;
 }
 
 /// Apex of the second triangle at an edge once it is laid beside the first; at a seam they lie apart.
@@ -87,42 +76,44 @@ LinkStiffness stretchLink(const Fabric& fabric, const Eigen::Vector2d& along, do
 
 std::vector<LinkStiffness> linkStiffness(const Fabric& fabric, const ClothMesh& mesh,
                                          const std::vector<LinkNodes>& links) {
-    const auto edges = edgesOf(mesh);
+    const MeshEdges edges(mesh.triangles, mesh.size());
 
     // Where a link joins the far corners of two neighbouring triangles: the edge between them, and its own direction.
     struct Crossing {
-        NodePair edge;
+        std::size_t edge;
         Eigen::Vector2d along;
     };
     std::map<NodePair, Crossing> crossings;
-    for (const auto& [edge, triangles] : edges) {
-        if (triangles.beside.size() != 2) continue;
-        const Beside &first = triangles.beside[0], &second = triangles.beside[1];
+    for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+        const auto triangles = edges.trianglesAt(edge);
+        if (triangles.size() != 2) continue;
+        const Beside first = besideOf(mesh, triangles[0]), second = besideOf(mesh, triangles[1]);
         const Eigen::Vector2d apex = laidBeside(first, second);
         if (cross(first.from, first.to, first.apex, apex))
             crossings.emplace(pairOf(first.opposite, second.opposite), Crossing{edge, apex - first.apex});
     }
 
-    // How many links share the area of an edge: its own, if there is one, and one across it.
-    std::map<NodePair, int> crossed;
+    // Edges whose area is shared by a link across them.
+    std::vector<char> isCrossed(edges.size(), 0);
     for (const LinkNodes& link : links) {
         const NodePair nodes = pairOf(link.nodes[0], link.nodes[1]);
-        if (link.bending || edges.count(nodes) > 0) continue;
+        if (link.bending || edges.find(nodes[0], nodes[1])) continue;
         if (const auto crossing = crossings.find(nodes); crossing != crossings.end())
-            ++crossed[crossing->second.edge];
+            isCrossed[crossing->second.edge] = 1;
     }
 
     std::vector<LinkStiffness> result;
     for (const LinkNodes& link : links) {
         const NodePair nodes = pairOf(link.nodes[0], link.nodes[1]);
-        const auto edge = edges.find(nodes);
+        const auto edge = edges.find(nodes[0], nodes[1]);
         const auto crossing = crossings.find(nodes);
-        if (!link.bending && edge != edges.end()) {
-            const Beside& beside = edge->second.beside[0];
-            const double share = crossed.count(nodes) > 0 ? 0.5 : 1.0;
-            result.push_back(stretchLink(fabric, beside.to - beside.from, share * edge->second.area));
+        if (!link.bending && edge) {
+            const Beside beside = besideOf(mesh, edges.trianglesAt(*edge)[0]);
+            const double share = isCrossed[*edge] ? 0.5 : 1.0;
+            result.push_back(
+                stretchLink(fabric, beside.to - beside.from, share * areaAt(mesh, edges, *edge)));
         } else if (!link.bending && crossing != crossings.end()) {
-            const double area = 0.5 * edges.at(crossing->second.edge).area;
+            const double area = 0.5 * areaAt(mesh, edges, crossing->second.edge);
             result.push_back(stretchLink(fabric, crossing->second.along, area));
         } else if (mesh.areas[static_cast<std::size_t>(link.nodes[0])] == 0 ||
                    mesh.areas[static_cast<std::size_t>(link.nodes[1])] == 0) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "drench/cloth_mesh.h"
@@ -18,6 +19,20 @@ struct LinkNodes {
     bool bending;   ///< the body marks it as a bending link
     double length;  ///< at rest, m
 };
+
+/// Mean rest length of those links for which `counts(index)`, m; none if there are none.
+template <typename Counts>
+std::optional<double> meanLength(const std::vector<LinkNodes>& links, Counts counts) {
+    double total = 0;
+    std::size_t counted = 0;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        if (!counts(i)) continue;
+        total += links[i].length;
+        ++counted;
+    }
+    if (counted == 0) return std::nullopt;
+    return total / double(counted);
+}
 
 /// Dry stiffness of a link.
 struct LinkStiffness {

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <utility>
+
+#include "cloth/mesh_edges.h"
 
 namespace drench {
 
@@ -23,13 +24,6 @@ struct Side {
     double foot;                 // of that height, as a share of the way along the side
 };
 
-using Sides = std::map<std::pair<int, int>, std::vector<Side>>;
-
-std::pair<int, int> endsOf(const ClothMesh& mesh, const Side& side) {
-    const auto& nodes = mesh.triangles[side.triangle];
-    return {nodes[side.from], nodes[side.to]};
-}
-
 Side sideOf(const ClothMesh& mesh, std::size_t triangle, std::size_t apex) {
     const auto& corners = mesh.coordinates[triangle];
     Side side{triangle, apex, (apex + 1) % 3, (apex + 2) % 3, 0, 0};
@@ -39,23 +33,6 @@ Side sideOf(const ClothMesh& mesh, std::size_t triangle, std::size_t apex) {
     side.height = 2 * triangleArea(corners) / along.norm();
     side.foot = (corners[apex] - corners[side.from]).dot(along) / along.squaredNorm();
     return side;
-}
-
-Sides sidesOf(const ClothMesh& mesh) {
-    Sides sides;
-    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
-        for (std::size_t apex = 0; apex < 3; ++apex) {
-            const Side side = sideOf(mesh, triangle, apex);
-            sides[endsOf(mesh, side)].push_back(side);
-        }
-    return sides;
-}
-
-/// The triangle across a side; none at a border, and where more than two meet.
-const Side* across(const Sides& sides, const ClothMesh& mesh, const Side& own) {
-    const auto& there = sides.at(endsOf(mesh, own));
-    if (there.size() != 2) return nullptr;
-    return there[0].triangle == own.triangle ? &there[1] : &there[0];
 }
 
 /// Symmetric tensors as vectors of the same length.
@@ -73,7 +50,7 @@ struct Jumps {
     int sides = 0;                                       ///< that have a neighbour
 };
 
-Jumps jumpsOf(const ClothMesh& mesh, const Sides& sides, std::size_t triangle, PlateElement& element) {
+Jumps jumpsOf(const ClothMesh& mesh, const MeshEdges& edges, std::size_t triangle, PlateElement& element) {
     Jumps jumps;
     const auto& corners = mesh.coordinates[triangle];
     for (std::size_t apex = 0; apex < 3; ++apex) {
@@ -81,32 +58,33 @@ Jumps jumpsOf(const ClothMesh& mesh, const Sides& sides, std::size_t triangle, P
         const Eigen::Vector2d& from = corners[own.from];
         const Eigen::Vector2d along = corners[own.to] - from;
         const Eigen::Vector2d outward = (from + own.foot * along - corners[apex]).normalized();
-        const Side* other = across(sides, mesh, own);
-        if (other == nullptr) {
+        const EdgeTriangle* const neighbour = edges.across(triangle, apex);
+        if (neighbour == nullptr) {
             const Eigen::Vector3d free = (jumps.told * square(outward)).normalized();
             jumps.told -= free * free.transpose();
             continue;
         }
+        const Side other = sideOf(mesh, neighbour->triangle, neighbour->apex);
         ++jumps.sides;
         const std::size_t far = 3 + apex;
-        element.nodes[far] = mesh.triangles[other->triangle][other->apex];
+        element.nodes[far] = mesh.triangles[other.triangle][other.apex];
 
         const auto row = static_cast<Eigen::Index>(apex);
         const double length = along.norm();
         const auto weight = [&](std::size_t node) -> double& {
             return jumps.ofNodes(row, static_cast<Eigen::Index>(node));
         };
-        weight(far) = length / other->height;
+        weight(far) = length / other.height;
         weight(apex) = length / own.height;
-        weight(own.from) = -length * ((1 - own.foot) / own.height + (1 - other->foot) / other->height);
-        weight(own.to) = -length * (own.foot / own.height + other->foot / other->height);
+        weight(own.from) = -length * ((1 - own.foot) / own.height + (1 - other.foot) / other.height);
+        weight(own.to) = -length * (own.foot / own.height + other.foot / other.height);
 
         // The neighbour laid flat beside the triangle; at a seam their coordinates lie apart.
-        const Eigen::Vector2d farPlace = from + other->foot * along + other->height * outward;
+        const Eigen::Vector2d farPlace = from + other.foot * along + other.height * outward;
         jumps.ofCurvature.row(row) =
             0.5 * (weight(far) * square(farPlace - from) + weight(apex) * square(corners[apex] - from) +
                    weight(own.to) * square(along));
-        jumps.balanced.col(row) = 2 * square(outward) / (length * (own.height + other->height));
+        jumps.balanced.col(row) = 2 * square(outward) / (length * (own.height + other.height));
     }
     return jumps;
 }
@@ -145,14 +123,14 @@ void mergeNodes(PlateElement& element) {
 }  // namespace
 
 std::vector<PlateElement> plateElements(const ClothMesh& mesh) {
-    const Sides sides = sidesOf(mesh);
+    const MeshEdges edges(mesh.triangles, mesh.size());
     std::vector<PlateElement> elements;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const auto& corners = mesh.triangles[triangle];
         PlateElement element{};
         element.nodes = {corners[0], corners[1], corners[2], -1, -1, -1};
         element.area = triangleArea(mesh.coordinates[triangle]);
-        const Jumps jumps = jumpsOf(mesh, sides, triangle, element);
+        const Jumps jumps = jumpsOf(mesh, edges, triangle, element);
         if (jumps.sides == 0) continue;
         const Eigen::Matrix<double, 3, 6> weights = compromise(jumps) * jumps.ofNodes;
         for (std::size_t m = 0; m < 3; ++m)

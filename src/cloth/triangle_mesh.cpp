@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cloth/mesh_edges.h"
 #include "drench/cloth_mesh.h"
 
 namespace drench {
@@ -107,18 +108,14 @@ void validate(const TriangleMesh& mesh) {
 }
 
 std::vector<std::array<int, 2>> sidesOf(const TriangleMesh& mesh) {
-    std::vector<std::array<int, 2>> sides;
     for (const auto& triangle : mesh.triangles)
         for (std::size_t k = 0; k < 3; ++k) {
             const int a = triangle[k], b = triangle[(k + 1) % 3];
-            sides.push_back({std::min(a, b), std::max(a, b)});
-            if (sides.back()[0] < 0 || static_cast<std::size_t>(sides.back()[1]) >= mesh.vertices.size())
+            if (std::min(a, b) < 0 || static_cast<std::size_t>(std::max(a, b)) >= mesh.vertices.size())
                 throw std::out_of_range("drench: mesh: there is no side from node " + std::to_string(a) +
                                         " to node " + std::to_string(b));
         }
-    std::sort(sides.begin(), sides.end());
-    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
-    return sides;
+    return MeshEdges(mesh.triangles, mesh.vertices.size()).ends();
 }
 
 std::vector<std::array<Eigen::Vector2d, 3>> texturedCoordinates(const TriangleMesh& mesh) {

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <numeric>
 #include <tuple>
 #include <utility>
+
+#include "cloth/mesh_edges.h"
 
 namespace drench {
 
@@ -22,13 +23,23 @@ Side previousSide(Side side) {
     return side % 3 == 0 ? side + 2 : side - 1;
 }
 
+/// The side opposite to a corner; a reversed triangle has its corners in the order 0, 2, 1.
+Side sideOpposite(const EdgeTriangle& at, bool isReversed) {
+    return static_cast<Side>(3 * at.triangle + (isReversed ? 4 - at.apex : at.apex + 1) % 3);
+}
+
 /// Triangles known by the lengths of their sides alone, which may be cut anew within the surface.
 class IntrinsicTriangles {
   public:
     IntrinsicTriangles(const ClothMesh& mesh, double scaleWarp, double scaleWeft) {
+        const MeshEdges edges(mesh.triangles, mesh.size());
         std::vector<char> reversed(mesh.triangles.size(), 0);
-        cut(mesh, scaleWarp, scaleWeft, reversed);
-        if (turnAlike(reversed)) cut(mesh, scaleWarp, scaleWeft, reversed);
+        const auto cutAndJoin = [&] {
+            cut(mesh, scaleWarp, scaleWeft, reversed);
+            joinAlong(edges, reversed);
+        };
+        cutAndJoin();
+        if (turnAlike(reversed)) cutAndJoin();
     }
 
     /// Flips sides until none has angles opposite to it of more than 180 degrees together.
@@ -87,10 +98,6 @@ class IntrinsicTriangles {
                 restLength_.push_back(along.norm());
             }
         }
-        findPartners(mesh.size());
-        twin_.assign(from_.size(), none);
-        for (Side side = 0; side < sides(); ++side)
-            if (partner(side) != none && from(partner(side)) != from(side)) join(side, partner(side));
     }
 
     /// Finds the triangles to reverse so that neighbours go round in the same sense, which flipping needs; a
@@ -122,27 +129,16 @@ class IntrinsicTriangles {
     }
 
     /// Pairs sides along each other, where there are two to an edge.
-    void findPartners(std::size_t nodes) {
-        // Sides by their lower node: there are few at each, and among these it is quick to look.
-        const auto lower = [this](Side side) { return std::min(from(side), from(nextSide(side))); };
-        const auto upper = [this](Side side) { return std::max(from(side), from(nextSide(side))); };
-        std::vector<std::size_t> begin(nodes + 1);
-        for (Side side = 0; side < sides(); ++side) ++begin[static_cast<std::size_t>(lower(side)) + 1];
-        std::partial_sum(begin.begin(), begin.end(), begin.begin());
-        std::vector<Side> at(from_.size());
-        std::vector<std::size_t> end = begin;
-        for (Side side = 0; side < sides(); ++side) at[end[static_cast<std::size_t>(lower(side))]++] = side;
+    void joinAlong(const MeshEdges& edges, const std::vector<char>& reversed) {
         partner_.assign(from_.size(), none);
-        for (std::size_t node = 0; node < nodes; ++node)
-            for (std::size_t i = begin[node]; i < begin[node + 1]; ++i) {
-                int along = 0;
-                for (std::size_t j = begin[node]; j < begin[node + 1]; ++j) {
-                    if (upper(at[j]) != upper(at[i]) || j == i) continue;
-                    partner_[static_cast<std::size_t>(at[i])] = at[j];
-                    ++along;
-                }
-                if (along != 1) partner_[static_cast<std::size_t>(at[i])] = none;
-            }
+        twin_.assign(from_.size(), none);
+        for (std::size_t t = 0; t < reversed.size(); ++t)
+            for (std::size_t apex = 0; apex < 3; ++apex)
+                if (const EdgeTriangle* const other = edges.across(t, apex))
+                    partner_[static_cast<std::size_t>(sideOpposite({t, apex}, reversed[t]))] =
+                        sideOpposite(*other, reversed[other->triangle]);
+        for (Side side = 0; side < sides(); ++side)
+            if (partner(side) != none && from(partner(side)) != from(side)) join(side, partner(side));
     }
 
     void join(Side a, Side b) {

@@ -37,32 +37,29 @@ FilmFlow::FilmFlow(const ClothMesh& mesh, const std::vector<Edge>& edges)
     : runs_(edges),
       steepestOutflow_(mesh.size()),
       mobility_(mesh.size()),
-      firstNeighbour_(mesh.size() + 1),
+      neighbours_(mesh.size(),
+                  [&](const auto& add) {
+                      for (const Edge& edge : edges) {
+                          const auto conductance = static_cast<float>(edge.conductance);
+                          add(static_cast<std::size_t>(edge.a), Neighbour{edge.b, conductance});
+                          add(static_cast<std::size_t>(edge.b), Neighbour{edge.a, conductance});
+                      }
+                  }),
       downwards_(mesh.size()) {
     for (const Edge& edge : edges)
-        for (const int node : {edge.a, edge.b}) {
+        for (const int node : {edge.a, edge.b})
             steepestOutflow_[static_cast<std::size_t>(node)] +=
                 static_cast<float>(EdgeRuns::allowedStretch * edge.conductance * edge.length);
-            ++firstNeighbour_[static_cast<std::size_t>(node) + 1];
-        }
     for (std::size_t n = 0; n < mesh.size(); ++n) {
         areas_.push_back(static_cast<float>(mesh.areas[n]));
         inverseAreas_.push_back(mesh.areas[n] > 0 ? static_cast<float>(1 / mesh.areas[n]) : 0.0f);
         largestRate_ = std::max(largestRate_, steepestOutflow_[n] * inverseAreas_[n]);
     }
-    std::partial_sum(firstNeighbour_.begin(), firstNeighbour_.end(), firstNeighbour_.begin());
-    neighbours_.resize(firstNeighbour_.back());
-    std::vector<std::size_t> next(firstNeighbour_.begin(), firstNeighbour_.end() - 1);
-    for (const Edge& edge : edges) {
-        const auto conductance = static_cast<float>(edge.conductance);
-        neighbours_[next[static_cast<std::size_t>(edge.a)]++] = {edge.b, conductance};
-        neighbours_[next[static_cast<std::size_t>(edge.b)]++] = {edge.a, conductance};
-    }
     std::iota(downwards_.begin(), downwards_.end(), 0);
 }
 
 std::size_t FilmFlow::bytes() const {
-    return runs_.bytes() + neighbours_.size() * sizeof(Neighbour) +
+    return runs_.bytes() + neighbours_.valueCount() * sizeof(Neighbour) +
            mobility_.size() * (4 * sizeof(float) + sizeof(std::size_t) + sizeof(int));
 }
 
@@ -122,18 +119,18 @@ void FilmFlow::sweepDown(double dt, const float* heights, double gravity, double
         const double available = filmMass[n] - massPerThickness * retainedFilmThickness;
         if (!(available > 0) || !(massPerThickness > 0)) continue;
         double outflow = 0;
-        for (std::size_t i = firstNeighbour_[n]; i < firstNeighbour_[n + 1]; ++i) {
-            const float rise = heights[n] - heights[static_cast<std::size_t>(neighbours_[i].node)];
-            outflow += double(neighbours_[i].conductance * std::max(rise, 0.0f));
+        for (const Neighbour& neighbour : neighbours_[n]) {
+            const float rise = heights[n] - heights[static_cast<std::size_t>(neighbour.node)];
+            outflow += double(neighbour.conductance * std::max(rise, 0.0f));
         }
         if (!(outflow > 0)) continue;
         const double thickness = available / massPerThickness;
         const double left = filmLeft(thickness, dt * fluidity(gravity) * outflow / double(areas_[n]));
         const double leaving = std::min(massPerThickness * (thickness - left), available);
-        for (std::size_t i = firstNeighbour_[n]; i < firstNeighbour_[n + 1]; ++i) {
-            const auto to = static_cast<std::size_t>(neighbours_[i].node);
+        for (const Neighbour& neighbour : neighbours_[n]) {
+            const auto to = static_cast<std::size_t>(neighbour.node);
             const float rise = std::max(heights[n] - heights[to], 0.0f);
-            const double share = leaving * double(neighbours_[i].conductance * rise) / outflow;
+            const double share = leaving * double(neighbour.conductance * rise) / outflow;
             filmMass[n] -= share;
             filmMass[to] += share;
         }
@@ -141,9 +138,10 @@ void FilmFlow::sweepDown(double dt, const float* heights, double gravity, double
 }
 
 bool FilmFlow::hasLowerNeighbour(std::size_t node, const std::vector<float>& heights) const {
-    for (std::size_t i = firstNeighbour_[node]; i < firstNeighbour_[node + 1]; ++i)
-        if (heights[static_cast<std::size_t>(neighbours_[i].node)] < heights[node]) return true;
-    return false;
+    const auto neighbours = neighbours_[node];
+    return std::any_of(neighbours.begin(), neighbours.end(), [&](const Neighbour& neighbour) {
+        return heights[static_cast<std::size_t>(neighbour.node)] < heights[node];
+    });
 }
 
 void FilmFlow::drip(const std::vector<float>& heights, const std::vector<float>& openAreas,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cloth/compressed_rows.h"
 #include "drench/cloth_mesh.h"
 #include "drench/moisture.h"
 #include "water/edge_runs.h"
@@ -48,14 +49,13 @@ class FilmFlow {
     bool hasLowerNeighbour(std::size_t node, const std::vector<float>& heights) const;
 
     EdgeRuns runs_;
-    std::vector<float> areas_;            // m2
-    std::vector<float> inverseAreas_;     // 1/m2; 0 for a node without cloth
-    std::vector<float> steepestOutflow_;  // of each node, sum of conductance x length, m
-    float largestRate_ = 0;               // of any node, steepest outflow over area, 1/m
-    std::vector<float> mobility_;         // of each node, kg that a unit of conductance and height passes
-    std::vector<std::size_t> firstNeighbour_;
-    std::vector<Neighbour> neighbours_;
-    std::vector<int> downwards_;  // nodes from the highest to the lowest
+    std::vector<float> areas_;              // m2
+    std::vector<float> inverseAreas_;       // 1/m2; 0 for a node without cloth
+    std::vector<float> steepestOutflow_;    // of each node, sum of conductance x length, m
+    float largestRate_ = 0;                 // of any node, steepest outflow over area, 1/m
+    std::vector<float> mobility_;           // of each node, kg that a unit of conductance and height passes
+    CompressedRows<Neighbour> neighbours_;  // of each node
+    std::vector<int> downwards_;            // nodes from the highest to the lowest
 };
 
 }  // namespace drench

@@ -5,8 +5,8 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "water/brooks_corey.h"
 #include "water/conductances.h"
+#include "water/wicking.h"
 
 namespace drench {
 

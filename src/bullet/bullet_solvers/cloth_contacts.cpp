@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bullet/contact/contact_law.h"
+#include "bullet/contact/flat_neighbours.h"
 #include "bullet/sheet/rest_shape.h"
 #include "bullet/sheet/sheet_mechanics.h"
 #include "bullet/world/body_watch.h"
@@ -158,8 +160,7 @@ void ClothContacts::findFaces(btSoftBody::Node& node) {
     if (near_.size() > 1) keepFacing(node);
 }
 
-/// The plane of a contact has no end. A face beside the nearest one, in the same plane, has its nearest point on its
-/// edge, and a plane that stands askew in the way of a node that slides along; it counts only where it rises.
+/// Puts the nearest face first, and leaves of the others those whose nearest point rises above it.
 void ClothContacts::keepFacing(const btSoftBody::Node& node) {
     const auto nearest = std::min_element(near_.begin(), near_.end(),
                                           [](const Near& a, const Near& b) { return a.gap < b.gap; });
@@ -169,9 +170,11 @@ void ClothContacts::keepFacing(const btSoftBody::Node& node) {
         return place - near.normal * (near.gap + near.partner->margin);
     };
     const btVector3 point = pointOf(near_[0]), normal = near_[0].normal;
-    const btScalar rise = btScalar(0.1) * near_[0].partner->margin;
+    const btScalar margin = near_[0].partner->margin;
     near_.erase(std::remove_if(near_.begin() + 1, near_.end(),
-                               [&](const Near& near) { return (pointOf(near) - point).dot(normal) < rise; }),
+                               [&](const Near& near) {
+                                   return !risesAbove((pointOf(near) - point).dot(normal), margin);
+                               }),
                 near_.end());
 }
 
@@ -196,23 +199,21 @@ void ClothContacts::solve(btSoftBody::Node& node, const Near& near, bool isNeare
     // To a hair, as the other sheet has its turn too, and may have lifted this one off just now.
     const bool touches = near.gap < btScalar(0.02) * near.partner->margin || depth > 0;
     const double bond = isNearest ? bondOf(n, near) : 0.0;
-    const bool isBonded = bond > 0 && (touches || grip_->bondedToCloth[n] == near.partner->body) &&
-                          depth > -btScalar(grip_->reach());
+    const bool isBonded = bondHolds(bond, touches || grip_->bondedToCloth[n] == near.partner->body, -depth,
+                                    btScalar(grip_->reach()));
     if (isBonded) bonds_[n] = near.partner->body;
-    if (near.gap < 0)
-        lift(corners, near.normal * (std::min(-near.gap, btScalar(0.1) * near.partner->margin) / response));
+    if (near.gap < 0) lift(corners, near.normal * (liftAtOnce(-near.gap, near.partner->margin) / response));
     if (touches || isBonded) list(node, near);
     if (!(depth > 0 || isBonded)) return;
 
     // How far the bond takes them together within the substep, and how far they go.
-    const btScalar held = btScalar(bond) * substep_ * substep_ * response * btScalar(isBonded),
-                   closing = std::max(depth, -held);
-    const btVector3 slip = motion - near.normal * approach;
-    // What presses the faces together is what holds them apart: the push, and that against the bond.
-    const btScalar length = slip.length(),
-                   most = near.partner->friction * btScalar(grip_->frictionRatio(n)) * (closing + held);
+    const ContactLaw law = {near.partner->friction * btScalar(grip_->frictionRatio(n)),
+                            btScalar(bond) * substep_ * substep_ * response * btScalar(isBonded)};
+    const btScalar closing = law.push(depth);
+    const btVector3 slip = alongSurface(motion, near.normal);
+    const btScalar length = slip.length();
     btVector3 way = near.normal * closing;
-    if (length > 0) way -= slip * (std::min(most, length) / length);
+    if (length > 0) way -= drag(slip, length, length, law.maxFriction(closing));
     push(corners, way / response);
 }
 
@@ -232,7 +233,6 @@ void ClothContacts::list(btSoftBody::Node& node, const Near& near) const {
     body_->m_faceNodeContacts.push_back(contact);
 }
 
-/// Both have to be wet; and the nodes of either hold one half.
 double ClothContacts::bondOf(std::size_t node, const Near& near) const {
     double ofOther = 0;
     for (int corner = 0; corner < 3; ++corner) {
@@ -240,11 +240,10 @@ double ClothContacts::bondOf(std::size_t node, const Near& near) const {
         ofOther +=
             double(near.weights[corner]) * near.partner->grip->bondTraction(static_cast<std::size_t>(index));
     }
-    return 0.5 * std::min(grip_->bondTraction(node), ofOther) * grip_->area(node);
+    return bondTractionBetween(grip_->bondTraction(node), ofOther) * grip_->area(node);
 }
 
-/// Takes overlapping sheets apart, without a velocity of their own and a little at a time: all at once would
-/// take cloth through cloth elsewhere.
+/// Takes overlapping sheets apart.
 void ClothContacts::lift(const Corner (&corners)[4], const btVector3& way) {
     for (const Corner& corner : corners) {
         const btVector3 by = way * (corner.weight * corner.inverseMass);

@@ -1,7 +1,8 @@
-// Contacts in an order that the same sheet has everywhere.
+// The contacts that Bullet has found of a soft body: all of them, and in an order that the same sheet has everywhere.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletSoftBody/btSoftBody.h>
 #include <LinearMath/btAlignedObjectArray.h>
 
 #include <algorithm>
@@ -13,6 +14,26 @@
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
+
+/// Calls `use(node, contact)` for each contact of a node with something solid, `contact` a btSoftBody::sCti.
+template <typename Use>
+void forEachSolidContact(const btSoftBody& body, Use use) {
+    for (int i = 0; i < body.m_rcontacts.size(); ++i)
+        use(body.m_rcontacts[i].m_node, body.m_rcontacts[i].m_cti);
+    for (int i = 0; i < body.m_nodeRigidContacts.size(); ++i)  // of the deformable world
+        use(body.m_nodeRigidContacts[i].m_node, body.m_nodeRigidContacts[i].m_cti);
+}
+
+/// Calls `use(node, face, weights)` for each contact of a node of the body with a face of another, or of its
+/// own, at the given weights of the face's corners.
+template <typename Use>
+void forEachSoftContact(const btSoftBody& body, Use use) {
+    for (int i = 0; i < body.m_scontacts.size(); ++i)
+        use(body.m_scontacts[i].m_node, body.m_scontacts[i].m_face, body.m_scontacts[i].m_weights);
+    for (int i = 0; i < body.m_faceNodeContacts.size(); ++i)  // of the deformable world
+        use(body.m_faceNodeContacts[i].m_node, body.m_faceNodeContacts[i].m_face,
+            body.m_faceNodeContacts[i].m_bary);
+}
 
 /// Bullet finds contacts in the order of its trees and of its list of pairs, which depends on what has been where before,
 /// and on addresses in memory. As contacts are solved one after the other, the order is part of the result; here it

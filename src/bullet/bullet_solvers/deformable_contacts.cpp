@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet/contact/contact_law.h"
 #include "bullet/contact/solids.h"
 
 namespace drench {
@@ -52,7 +53,7 @@ void DeformableContacts::rewrite(btSoftBody::DeformableNodeRigidContact& contact
     const auto n = static_cast<std::size_t>(&node - &now.body.m_nodes[0]);
     const double friction = now.grip.friction(met.surface, n);
     contact.m_c3 = btScalar(friction);
-    const double bond = met.surface.wettability * now.grip.bond(n);
+    const double bond = now.grip.bond(met.surface, n);
     if (!(bond > 0) || object.getInternalType() == btCollisionObject::CO_FEATHERSTONE_LINK) return;
     const btVector3& normal = contact.m_cti.m_normal;
     const btScalar approach = -(node.m_v - velocityAt(object, node.m_x)).dot(normal);
@@ -80,13 +81,13 @@ void DeformableContacts::hold(std::size_t n, const btCollisionObject* solid, con
     btSoftBody::Node& node = now.body.m_nodes[static_cast<int>(n)];
     if (!(node.m_im > 0) || node.m_battach) return;
     const MetSolids::Met& met = met_.at(solid);
-    const double bond = met.exists ? met.surface.wettability * now.grip.bond(n) : 0.0;
+    const double bond = met.exists ? now.grip.bond(met.surface, n) : 0.0;
     if (!(bond > 0)) return;
     const SurfacePoint surface = nearestSurfaceOf(*solid, node.m_x, now.body.m_worldInfo->m_sparsesdf);
     const btVector3 slip = node.m_v - velocityAt(*solid, node.m_x);
     const btScalar leaving = slip.dot(surface.normal),
                    gap = surface.distance - now.margin + leaving * now.time;
-    if (!(gap < btScalar(now.grip.reach()))) return;
+    if (!bondHolds(bond, true, gap, btScalar(now.grip.reach()))) return;
     bonds_[n] = solid;
     if (gap <= 0) return;
     const btRigidBody* const body = pushable(*solid);
@@ -94,15 +95,14 @@ void DeformableContacts::hold(std::size_t n, const btCollisionObject* solid, con
         return node.m_im + (body ? body->computeImpulseDenominator(node.m_x, direction) : 0);
     };
     const btScalar response = responseAlong(surface.normal);
-    const btScalar most = btScalar(bond) * now.time, pull = std::min(gap / (now.time * response), most);
-    const btVector3 along = slip - surface.normal * leaving;
-    // What presses the faces together is what the bond has left.
-    const btScalar speed = along.length(),
-                   friction = btScalar(now.grip.friction(met.surface, n)) * (most - pull);
-    btVector3 impulse = surface.normal * -pull;
+    const ContactLaw law = {btScalar(now.grip.friction(met.surface, n)), btScalar(bond) * now.time};
+    const btScalar push = law.push(-gap / (now.time * response));
+    const btVector3 along = alongSurface(slip, surface.normal);
+    const btScalar speed = along.length();
+    btVector3 impulse = surface.normal * push;
     // An implicit contact, which knows what else holds the node, has friction; a guess by its mass shakes it.
     if (speed > 0 && !now.implicit)
-        impulse -= along * (std::min(friction, speed / responseAlong(along / speed)) / speed);
+        impulse -= drag(along, speed, speed / responseAlong(along / speed), law.maxFriction(push));
     exchange(node, *solid, impulse, now.implicit);
 }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet/contact/contact_law.h"
+#include "bullet/contact/flat_neighbours.h"
+
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
@@ -78,7 +81,7 @@ void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, con
     contact.m_c4 = 0;  // no push
     const int n = static_cast<int>(&node - &body.m_nodes[0]);
     const auto index = static_cast<std::size_t>(n);
-    const double bond = met.surface.wettability * grip.bond(index);
+    const double bond = grip.bond(met.surface, index);
     if (bond > 0) bonds_[index] = &object;
     add({n, solids_.indexOf(object), surface, std::max(btScalar(0), -approach), true, bond,
          grip.friction(met.surface, index)});
@@ -86,11 +89,10 @@ void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, con
 
 /// What faces a node by several parts, as a floor of boxes or triangles does, presses and clings once.
 void StockContacts::add(const Held& held) {
-    constexpr btScalar alike = btScalar(0.7);  // cosine between the normals
     int& at = heldAt_[static_cast<std::size_t>(held.node)];
     if (at >= 0) {
         Held& other = held_[static_cast<std::size_t>(at)];
-        if (other.surface.normal.dot(held.surface.normal) > alike) {
+        if (faceAlike(other.surface.normal, held.surface.normal)) {
             if (held.approach > other.approach) other = held;
             return;
         }
@@ -105,7 +107,7 @@ void StockContacts::findBonded(btSoftBody& body, const Grip& grip) {
         const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
         if (!(node.m_im > 0) || node.m_battach) continue;
         const MetSolids::Met& met = met_.at(grip.bondedTo[n]);
-        const double bond = met.exists ? met.surface.wettability * grip.bond(n) : 0.0;
+        const double bond = met.exists ? grip.bond(met.surface, n) : 0.0;
         if (!(bond > 0)) continue;
         const SurfacePoint surface = nearestSurfaceOf(*met.object, node.m_x, body.m_worldInfo->m_sparsesdf);
         if (!std::isfinite(surface.distance)) continue;
@@ -121,27 +123,24 @@ void StockContacts::hold(btSoftBody& body, const Held& held, btScalar reach) {
     const btScalar substep = body.m_sst.sdt;
     const btVector3 arm = node.m_x - normal * held.surface.distance - solid.end().getOrigin();
     const btScalar response = node.m_im + solid.response(arm, normal);
-    const btScalar bond = btScalar(held.bond) * substep * substep;
-    btScalar push = held.approach / response;
+    const ContactLaw law = {btScalar(held.friction), btScalar(held.bond) * substep * substep};
+    btScalar push = law.push(held.approach / response);
     if (!held.isInContact) {
         const btScalar margin = body.getCollisionShape()->getMargin(),
                        gap = held.surface.distance - margin - normal.dot(solid.displacement(arm));
-        if (!(gap < reach)) return;
+        if (!bondHolds(held.bond, true, gap, reach)) return;
         bonds_[static_cast<std::size_t>(held.node)] = &solid.object();
-        push = -std::clamp(gap / response, btScalar(0), bond);
+        push = law.push(-std::max(gap, btScalar(0)) / response);
     }
 
-    const btVector3 slip = node.m_x - node.m_q - solid.step(arm);
-    const btVector3 along = slip - normal * slip.dot(normal);
+    const btVector3 slip = alongSurface(node.m_x - node.m_q - solid.step(arm), normal);
     // A solid that may turn gives way to what drags it along its surface more than to what presses on it.
-    const btScalar length = along.length(),
-                   givesWay = length > 0 ? node.m_im + solid.response(arm, along / length) : response,
-                   needed = length / givesWay;
-    // What presses the faces together is what holds them apart: the push, and that against the bond.
-    const btScalar most = btScalar(held.friction) * (push + bond);
-    const bool sticks = needed <= most;
+    const btScalar length = slip.length(),
+                   givesWay = length > 0 ? node.m_im + solid.response(arm, slip / length) : response,
+                   stopping = length / givesWay, maxFriction = law.maxFriction(push);
+    const bool sticks = stopping <= maxFriction;
     btVector3 total(0, 0, 0);
-    if (length > 0) total = along * (-std::min(needed, most) / length);
+    if (length > 0) total = -drag(slip, length, stopping, maxFriction);
     if (!held.isInContact) total += normal * push;  // else Bullet does that
     displace(node, total * node.m_im, substep);
     solid.push(arm, -total);
@@ -157,7 +156,7 @@ void StockContacts::stick(btSoftBody& body, const Held& held) {
         const btVector3 back = place * stuckBefore_[n].place - node.m_x;
         // Someone has put the sheet or the solid elsewhere if it is farther than links could have pulled it.
         const btScalar most = body.getCollisionShape()->getMargin() + (node.m_x - node.m_q).length();
-        if (back.length() <= most) lift(node, back - held.surface.normal * back.dot(held.surface.normal));
+        if (back.length() <= most) lift(node, alongSurface(back, held.surface.normal));
     }
     stuck_[n] = {object, place.invXform(node.m_x)};
 }

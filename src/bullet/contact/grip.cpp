@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "bullet/contact/contact_law.h"
+
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
@@ -18,11 +20,6 @@ double nodeDistance(const ClothMesh& mesh) {
 }
 
 }  // namespace
-
-double usableFriction(double coefficient) {
-    constexpr double most = 1e3;  // holds whatever presses
-    return coefficient > 0 ? std::min(coefficient, most) : 0;
-}
 
 Grip::Grip(const Fabric& fabric, const ClothMesh& mesh)
     : bondedTo(mesh.size(), nullptr),

@@ -17,10 +17,6 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// A friction coefficient that an application has given Bullet, with which one can calculate: at most 1000, which holds
-/// whatever presses, and 0 for what is negative or no number.
-double usableFriction(double coefficient);
-
 class BulletPass;
 
 /// Cling is cohesion: where wet cloth has touched a surface it stays bonded to it. A bond pulls its node back
@@ -57,6 +53,8 @@ class Grip {
     }
     /// Force of the bond of a node, per wettability, N.
     double bond(std::size_t node) const { return bondTraction(node) * areas_[node]; }
+    /// The same on a surface, N.
+    double bond(const Surface& surface, std::size_t node) const { return surface.wettability * bond(node); }
     /// Where bonds break, m.
     double reach() const { return reach_; }
     /// Whether the cloth would cling if it were wet.

@@ -8,6 +8,7 @@
 #include "bullet/fluid/rigid_shelter.h"
 #include "bullet/packed/node_arrays.h"
 #include "bullet/world/vectors.h"
+#include "cloth/compressed_rows.h"
 #include "drench/wind.h"
 
 namespace drench {
@@ -44,14 +45,15 @@ Eigen::Vector3d checkedVelocity(const WindField& field, const Eigen::Vector3d& p
     throw std::runtime_error(message.str());
 }
 
-std::vector<std::vector<std::size_t>> neighboursOf(const ClothMesh& mesh) {
-    std::vector<std::vector<std::size_t>> neighbours(mesh.size());
-    for (const auto& triangle : mesh.triangles)
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            for (std::size_t on = 1; on < 3; ++on)
-                neighbours[static_cast<std::size_t>(triangle[corner])].push_back(
-                    static_cast<std::size_t>(triangle[(corner + on) % 3]));
-    return neighbours;
+/// Of each node, in the order of its triangles.
+CompressedRows<std::size_t> neighboursOf(const ClothMesh& mesh) {
+    return {mesh.size(), [&](const auto& add) {
+                for (const auto& triangle : mesh.triangles)
+                    for (std::size_t corner = 0; corner < 3; ++corner)
+                        for (std::size_t on = 1; on < 3; ++on)
+                            add(static_cast<std::size_t>(triangle[corner]),
+                                static_cast<std::size_t>(triangle[(corner + on) % 3]));
+            }};
 }
 
 }  // namespace

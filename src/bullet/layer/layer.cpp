@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bullet/bullet_solvers/contacts.h"
+#include "bullet/bullet_solvers/contact_order.h"
 #include "bullet/bullet_solvers/link_constants.h"
 #include "bullet/sheet/border_checks.h"
 #include "bullet/world/stop_watch.h"

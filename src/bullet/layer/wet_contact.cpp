@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "bullet/bullet_solvers/contacts.h"
+#include "bullet/bullet_solvers/contact_order.h"
 #include "bullet/layer/layer.h"
 #include "drench/water.h"
 #include "state/checks.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bullet/packed/nodes.h"
+#include "cloth/independent_sets.h"
 
 namespace drench {
 
@@ -29,29 +30,14 @@ std::vector<IndependentBlock> independentBlocks(const std::vector<std::array<int
     }
 
     std::vector<IndependentBlock> blocks;
-    std::vector<int> colourAt(nodes, -1);
-    int colour = 0;
+    IndependentSets colours(elements, nodes);
     for (std::vector<int>& waiting : tiles)
-        for (; !waiting.empty(); ++colour) {
-            std::size_t left = 0, place = blockWidth;
-            for (const int element : waiting) {
-                const auto& touched = elements[static_cast<std::size_t>(element)];
-                const bool taken = std::any_of(touched.begin(), touched.end(), [&](int node) {
-                    return node >= 0 && colourAt[static_cast<std::size_t>(node)] == colour;
-                });
-                if (taken) {
-                    waiting[left++] = element;
-                    continue;
-                }
-                for (const int node : touched)
-                    if (node >= 0) colourAt[static_cast<std::size_t>(node)] = colour;
-                if (place == blockWidth) {
-                    blocks.emplace_back().fill(-1);
-                    place = 0;
-                }
-                blocks.back()[place++] = element;
+        while (!waiting.empty()) {
+            const std::vector<int> colour = colours.take(waiting);
+            for (std::size_t i = 0; i < colour.size(); ++i) {
+                if (i % blockWidth == 0) blocks.emplace_back().fill(-1);
+                blocks.back()[i % blockWidth] = colour[i];
             }
-            waiting.resize(left);
         }
     return blocks;
 }

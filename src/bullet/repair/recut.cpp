@@ -13,18 +13,14 @@
 #include "bullet/sheet/border_checks.h"
 #include "bullet/sheet/face_projection.h"
 #include "bullet/world/vectors.h"
+#include "cloth/mesh_edges.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-using Pair = std::array<int, 2>;
 using Triangle = std::array<int, 3>;
-
-Pair sorted(const Pair& pair) {
-    return {std::min(pair[0], pair[1]), std::max(pair[0], pair[1])};
-}
 
 class Recutter {
   public:
@@ -34,7 +30,7 @@ class Recutter {
         if (body.m_nodes.size() < oldNodes_)
             throw std::invalid_argument("the body has " + std::to_string(body.m_nodes.size()) + " nodes of " +
                                         std::to_string(oldNodes_));
-        findFacesAround();
+        facesAround_ = trianglesAround(old_.triangles, mesh.size());
     }
 
     Recut cut(const Moisture& moisture) {
@@ -50,13 +46,6 @@ class Recutter {
   private:
     /// A corner of a new face in the old face that it is a piece of: the shares of that face's corners.
     using Weights = std::array<double, 3>;
-
-    void findFacesAround() {
-        facesAround_.resize(static_cast<std::size_t>(oldNodes_));
-        for (std::size_t t = 0; t < old_.triangles.size(); ++t)
-            for (const int node : old_.triangles[t])
-                facesAround_[static_cast<std::size_t>(node)].push_back(t);
-    }
 
     int checkedIndex(const btSoftBody::Node* node, const char* what, int of) const {
         const btSoftBody::Node* const first = &body_.m_nodes[0];
@@ -94,7 +83,7 @@ class Recutter {
                                         " has less than 1e-9 of the area of the face that it is of");
         cut_.shape.triangles.push_back(triangle);
         cut_.shape.triangleAreas.push_back(area);
-        for (const int node : triangle) cut_.shape.nodeAreas[static_cast<std::size_t>(node)] += area / 3;
+        addThirds(triangle, area, cut_.shape.nodeAreas);
         const Weights middle = meanOf(weights);
         constexpr double rounding = 1e-3;
         isSewnOn_.push_back(*std::min_element(middle.begin(), middle.end()) < -rounding);
@@ -118,7 +107,7 @@ class Recutter {
         std::vector<std::size_t> candidates;
         for (const int node : triangle) {
             if (node >= oldNodes_) continue;
-            const auto& around = facesAround_[static_cast<std::size_t>(node)];
+            const auto around = facesAround_[static_cast<std::size_t>(node)];
             candidates.insert(candidates.end(), around.begin(), around.end());
         }
         for (const std::size_t candidate : candidates)
@@ -176,7 +165,8 @@ class Recutter {
         findOldLengths();
         for (int i = 0; i < body_.m_links.size(); ++i) {
             const btSoftBody::Link& link = body_.m_links[i];
-            const Pair nodes = {checkedIndex(link.m_n[0], "link", i), checkedIndex(link.m_n[1], "link", i)};
+            const std::array<int, 2> nodes = {checkedIndex(link.m_n[0], "link", i),
+                                              checkedIndex(link.m_n[1], "link", i)};
             const btScalar length = lengthOf(nodes);
             cut_.shape.restLengths.push_back(length);
             cut_.shape.links.push_back({nodes, link.m_bbending != 0, double(length)});
@@ -185,7 +175,7 @@ class Recutter {
 
     void findOldLengths() {
         for (std::size_t i = 0; i < old_.links.size(); ++i)
-            lengths_.emplace(sorted(old_.links[i].nodes), old_.restLengths[i]);
+            lengths_.emplace(pairOf(old_.links[i].nodes[0], old_.links[i].nodes[1]), old_.restLengths[i]);
         for (std::size_t f = 0; f < origins_.size(); ++f) {
             const Triangle& triangle = cut_.shape.triangles[f];
             if (triangle == old_.triangles[origins_[f]]) continue;
@@ -193,14 +183,14 @@ class Recutter {
             const double scale = std::sqrt(restOverMaterial(origins_[f]));
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const std::size_t next = (corner + 1) % 3;
-                lengths_.emplace(sorted({triangle[corner], triangle[next]}),
+                lengths_.emplace(pairOf(triangle[corner], triangle[next]),
                                  btScalar((flat[next] - flat[corner]).norm() * scale));
             }
         }
     }
 
-    btScalar lengthOf(const Pair& nodes) const {
-        const auto found = lengths_.find(sorted(nodes));
+    btScalar lengthOf(const std::array<int, 2>& nodes) const {
+        const auto found = lengths_.find(pairOf(nodes[0], nodes[1]));
         return found != lengths_.end() ? found->second : (placeOf(nodes[1]) - placeOf(nodes[0])).length();
     }
 
@@ -246,13 +236,13 @@ class Recutter {
     const ClothMesh& oldMesh_;
     const int oldNodes_;
     FaceProjection projection_;
-    std::vector<std::vector<std::size_t>> facesAround_;  // indices of old faces, of each old node
+    CompressedRows<std::size_t> facesAround_;  // indices of old faces, of each old node
     Recut cut_;
     // Of each new face.
     std::vector<std::size_t> origins_;
     std::vector<std::array<Weights, 3>> weights_;
-    std::vector<bool> isSewnOn_;        // beside that old face, and dry
-    std::map<Pair, btScalar> lengths_;  // at rest, of pairs of nodes, m
+    std::vector<bool> isSewnOn_;            // beside that old face, and dry
+    std::map<NodePair, btScalar> lengths_;  // at rest, m
 };
 
 }  // namespace

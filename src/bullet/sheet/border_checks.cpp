@@ -42,14 +42,8 @@ bool mayMeet(const btBroadphaseProxy* a, const btBroadphaseProxy* b) {
 }
 
 double meanLinkLength(const RestShape& shape) {
-    double total = 0;
-    int counted = 0;
-    for (std::size_t i = 0; i < shape.links.size(); ++i) {
-        if (shape.links[i].bending) continue;
-        total += double(shape.restLengths[i]);
-        ++counted;
-    }
-    return counted > 0 ? total / counted : double(shape.restLengths[0]);
+    const auto isStretched = [&](std::size_t link) { return !shape.links[link].bending; };
+    return meanLength(shape.links, isStretched).value_or(shape.links[0].length);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "bullet/sheet/face_projection.h"
 
-#include <algorithm>
-
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
@@ -24,12 +22,6 @@ btSoftBody::SContact silentContact(btSoftBody::Node& node, btSoftBody::Face& fac
     contact.m_friction = friction;
     contact.m_cfm[0] = contact.m_cfm[1] = 0;
     return contact;
-}
-
-btScalar dryFriction(const btSoftBody& one, const btSoftBody& other) {
-    constexpr btScalar most = 1000;
-    const btScalar given = std::max(one.m_cfg.kDF, other.m_cfg.kDF);
-    return given > 0 ? std::min(given, most) : btScalar(0);  // nor what is not a number
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -28,8 +28,5 @@ class FaceProjection {
 btSoftBody::SContact silentContact(btSoftBody::Node& node, btSoftBody::Face& face, const btVector3& weights,
                                    const btVector3& normal, btScalar margin, btScalar friction);
 
-/// Friction coefficient between the bodies when dry, 1: the larger of their m_cfg.kDF, from 0 to 1000.
-btScalar dryFriction(const btSoftBody& one, const btSoftBody& other);
-
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

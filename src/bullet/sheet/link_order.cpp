@@ -1,29 +1,25 @@
 #include "bullet/sheet/link_order.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <numeric>
+
+#include "cloth/independent_sets.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 std::vector<int> colouredOrder(const std::vector<std::array<int, 2>>& links, int nodes) {
-    // Greedy edge colouring. A node with more than 64 links, which no cloth has, shares the last colour.
-    constexpr std::size_t lastColour = 63;
-    std::vector<std::uint64_t> coloursAt(static_cast<std::size_t>(nodes), 0);
-    std::vector<std::vector<int>> linksOf;
-    for (std::size_t i = 0; i < links.size(); ++i) {
-        std::uint64_t& atA = coloursAt[static_cast<std::size_t>(links[i][0])];
-        std::uint64_t& atB = coloursAt[static_cast<std::size_t>(links[i][1])];
-        std::size_t colour = 0;
-        while (colour < lastColour && ((atA | atB) >> colour & 1u)) ++colour;
-        atA |= std::uint64_t{1} << colour;
-        atB |= std::uint64_t{1} << colour;
-        if (colour >= linksOf.size()) linksOf.resize(colour + 1);
-        linksOf[colour].push_back(static_cast<int>(i));
-    }
-    std::vector<int> order;
+    // A node with more than 64 links, which no cloth has, shares the last colour.
+    constexpr int lastColour = 63;
+    IndependentSets colours(links, static_cast<std::size_t>(nodes));
+    std::vector<int> waiting(links.size()), order;
+    std::iota(waiting.begin(), waiting.end(), 0);
     order.reserve(links.size());
-    for (const auto& colour : linksOf) order.insert(order.end(), colour.begin(), colour.end());
+    for (int colour = 0; colour < lastColour && !waiting.empty(); ++colour) {
+        const std::vector<int> taken = colours.take(waiting);
+        order.insert(order.end(), taken.begin(), taken.end());
+    }
+    order.insert(order.end(), waiting.begin(), waiting.end());
     return order;
 }
 

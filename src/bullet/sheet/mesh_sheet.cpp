@@ -1,13 +1,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
 
 #include "bullet/sheet/link_order.h"
+#include "bullet/sheet/node_masses.h"
 #include "bullet/world/vectors.h"
+#include "cloth/mesh_edges.h"
 #include "drench/sheet.h"
 
 namespace drench {
@@ -15,31 +16,12 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-using Pair = std::array<int, 2>;
-
-/// The triangles at each side.
-std::map<Pair, std::vector<std::size_t>> trianglesAtSides(const TriangleMesh& mesh) {
-    std::map<Pair, std::vector<std::size_t>> at;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-            at[{std::min(a, b), std::max(a, b)}].push_back(t);
-        }
-    return at;
-}
-
 const Eigen::Vector3d& place(const TriangleMesh& mesh, int node) {
     return mesh.vertices[static_cast<std::size_t>(node)];
 }
 
-int apexOver(const std::array<int, 3>& triangle, const Pair& side) {
-    for (const int node : triangle)
-        if (node != side[0] && node != side[1]) return node;
-    return -1;
-}
-
 /// Whether two triangles are the halves of a cell that their side cuts from corner to corner.
-bool isDiagonal(const TriangleMesh& mesh, const Pair& side, const Pair& apices) {
+bool isDiagonal(const TriangleMesh& mesh, const NodePair& side, const NodePair& apices) {
     constexpr double longer = 1.1, flat = 0.9;  // cosine of the angle between the two halves
     const Eigen::Vector3d along = place(mesh, side[1]) - place(mesh, side[0]);
     std::array<Eigen::Vector3d, 2> normals;
@@ -53,48 +35,41 @@ bool isDiagonal(const TriangleMesh& mesh, const Pair& side, const Pair& apices) 
 }
 
 /// The second diagonals of cells, without those that join nodes which a link joins already.
-std::vector<Pair> secondDiagonals(const TriangleMesh& mesh) {
-    const auto at = trianglesAtSides(mesh);
-    std::set<Pair> diagonals;
-    for (const auto& [side, triangles] : at) {
+std::set<NodePair> secondDiagonals(const TriangleMesh& mesh, const MeshEdges& edges) {
+    std::set<NodePair> diagonals;
+    for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+        const auto triangles = edges.trianglesAt(edge);
         if (triangles.size() != 2) continue;
-        const int a = apexOver(mesh.triangles[triangles[0]], side);
-        const int b = apexOver(mesh.triangles[triangles[1]], side);
-        const Pair apices{std::min(a, b), std::max(a, b)};
-        if (a != b && at.count(apices) == 0 && isDiagonal(mesh, side, apices)) diagonals.insert(apices);
+        const auto apexOf = [&](const EdgeTriangle& at) { return mesh.triangles[at.triangle][at.apex]; };
+        const NodePair apices = pairOf(apexOf(triangles[0]), apexOf(triangles[1]));
+        if (apices[0] != apices[1] && !edges.find(apices[0], apices[1]) &&
+            isDiagonal(mesh, edges.ends()[edge], apices))
+            diagonals.insert(apices);
     }
-    return {diagonals.begin(), diagonals.end()};
+    return diagonals;
 }
 
 void appendCloth(btSoftBody& body, const TriangleMesh& mesh) {
     for (const auto& triangle : mesh.triangles) body.appendFace(triangle[0], triangle[1], triangle[2]);
-    std::vector<Pair> links = sidesOf(mesh);
-    const std::vector<Pair> diagonals = secondDiagonals(mesh);
+    const MeshEdges edges(mesh.triangles, mesh.vertices.size());
+    std::vector<NodePair> links = edges.ends();
+    const std::set<NodePair> diagonals = secondDiagonals(mesh, edges);
     links.insert(links.end(), diagonals.begin(), diagonals.end());
     for (const int i : colouredOrder(links, body.m_nodes.size())) {
-        const Pair& link = links[static_cast<std::size_t>(i)];
+        const NodePair& link = links[static_cast<std::size_t>(i)];
         body.appendLink(link[0], link[1]);
     }
 }
 
-/// Masses of cloth alone, a third of each face to each of its nodes.
 void setMasses(btSoftBody& body, double arealDensity) {
-    std::vector<double> masses(static_cast<std::size_t>(body.m_nodes.size()), 0.0);
-    for (int f = 0; f < body.m_faces.size(); ++f) {
-        const btSoftBody::Face& face = body.m_faces[f];
-        const btVector3& origin = face.m_n[0]->m_x;
-        const double area = double((face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin).length()) / 2;
+    writeClothMasses(body, arealDensity, [&](int face, btScalar inBullet) {
+        const auto area = double(inBullet);
         if (!(area > 0) || !std::isfinite(btScalar(1 / (arealDensity * area))))
-            throw std::invalid_argument("drench: mesh: triangle " + std::to_string(f) + " has an area of " +
-                                        std::to_string(area) +
+            throw std::invalid_argument("drench: mesh: triangle " + std::to_string(face) +
+                                        " has an area of " + std::to_string(area) +
                                         " m2 as Bullet sees it; set its nodes apart, move the mesh closer to "
                                         "the origin, or scale it to metres");
-        for (const btSoftBody::Node* node : face.m_n)
-            masses[static_cast<std::size_t>(node - &body.m_nodes[0])] += arealDensity * area / 3;
-    }
-    for (int n = 0; n < body.m_nodes.size(); ++n)
-        body.m_nodes[n].m_im = btScalar(1 / masses[static_cast<std::size_t>(n)]);
-    body.updateLinkConstants();
+    });
 }
 
 btScalar meanLinkLength(const btSoftBody& body) {

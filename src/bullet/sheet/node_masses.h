@@ -3,8 +3,11 @@
 
 #include <BulletSoftBody/btSoftBody.h>
 
+#include <array>
 #include <vector>
 
+#include "bullet/sheet/rest_shape.h"
+#include "cloth/mesh_edges.h"
 #include "drench/precision.h"
 
 namespace drench {
@@ -25,6 +28,24 @@ void takeUpMomentum(btSoftBody& body, const std::vector<double>& masses, std::ve
 
 /// Sets inverse masses; pins stay pins.
 void writeMasses(btSoftBody& body, const std::vector<double>& masses);
+
+/// Gives a new body the mass of cloth alone: of each face, as its nodes are now, a third to each of its nodes.
+/// @tparam Sum   in which masses are added up
+/// @param check  is called with the index and the area, m2, of each face, and throws for one that will not do
+template <typename Sum, typename Check>
+void writeClothMasses(btSoftBody& body, Sum arealDensity, Check check) {
+    std::vector<Sum> masses(static_cast<std::size_t>(body.m_nodes.size()), Sum(0));
+    for (int f = 0; f < body.m_faces.size(); ++f) {
+        const btSoftBody::Face& face = body.m_faces[f];
+        const btScalar area = areaOf(face);
+        check(f, area);
+        addThirds({indexOf(body, face.m_n[0]), indexOf(body, face.m_n[1]), indexOf(body, face.m_n[2])},
+                  arealDensity * Sum(area), masses);
+    }
+    for (int n = 0; n < body.m_nodes.size(); ++n)
+        body.m_nodes[n].m_im = btScalar(1 / masses[static_cast<std::size_t>(n)]);
+    body.updateLinkConstants();
+}
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

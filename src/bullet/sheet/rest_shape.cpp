@@ -5,18 +5,15 @@
 
 #include "bullet/sheet/face_tree.h"
 #include "bullet/world/vectors.h"
+#include "cloth/mesh_edges.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-namespace {
-
-double currentArea(const btSoftBody::Face& face) {
+btScalar areaOf(const btSoftBody::Face& face) {
     const btVector3& origin = face.m_n[0]->m_x;
-    return 0.5 * double((face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin).length());
+    return (face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin).length() / 2;
 }
-
-}  // namespace
 
 void prime(btSoftBody& body) {
     if (!body.m_bUpdateRtCst) return;
@@ -51,13 +48,12 @@ RestShape restShapeOf(const btSoftBody& body) {
     shape.nodeAreas.assign(static_cast<std::size_t>(body.m_nodes.size()), 0.0);
     for (int f = 0; f < body.m_faces.size(); ++f) {
         const btSoftBody::Face& face = body.m_faces[f];
-        const double area = waiting ? currentArea(face) : 0.5 * double(face.m_ra);  // m_ra is twice the area
+        const double area =
+            waiting ? double(areaOf(face)) : 0.5 * double(face.m_ra);  // m_ra is twice the area
         shape.triangleAreas.push_back(area);
         std::array<int, 3> triangle;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            triangle[corner] = indexOf(body, face.m_n[corner]);
-            shape.nodeAreas[static_cast<std::size_t>(triangle[corner])] += area / 3;
-        }
+        for (std::size_t corner = 0; corner < 3; ++corner) triangle[corner] = indexOf(body, face.m_n[corner]);
+        addThirds(triangle, area, shape.nodeAreas);
         shape.triangles.push_back(triangle);
     }
     for (int i = 0; i < body.m_links.size(); ++i) {

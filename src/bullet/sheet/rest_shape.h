@@ -40,6 +40,9 @@ inline int indexOf(const btSoftBody& body, const btSoftBody::Node* node) {
     return static_cast<int>(node - &body.m_nodes[0]);
 }
 
+/// Area of a face as its nodes are now, m2.
+btScalar areaOf(const btSoftBody::Face& face);
+
 /// What Bullet does at the first step of a body that waits to be primed, now: rest lengths, link constants
 /// and areas from the shape as it is. Does nothing for any other body.
 void prime(btSoftBody& body);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bullet/sheet/link_order.h"
+#include "bullet/sheet/node_masses.h"
 #include "bullet/world/vectors.h"
 
 namespace drench {
@@ -134,22 +135,14 @@ void appendLinks(btSoftBody& body, const Grid& grid) {
     }
 }
 
-/// Masses of cloth alone, a third of each face to each of its nodes.
-std::vector<btScalar> nodeMasses(const btSoftBody& body, double arealDensity) {
-    std::vector<btScalar> masses(static_cast<std::size_t>(body.m_nodes.size()), btScalar(0));
-    for (int f = 0; f < body.m_faces.size(); ++f) {
-        const btSoftBody::Face& face = body.m_faces[f];
-        const btVector3& origin = face.m_n[0]->m_x;
-        const btScalar area = (face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin).length() / 2;
+void setMasses(btSoftBody& body, double arealDensity) {
+    writeClothMasses(body, btScalar(arealDensity), [](int face, btScalar area) {
         if (!(area > 0) || !std::isfinite(1 / area))
             throw std::invalid_argument(
-                "drench: makeSheet was given corners between which face " + std::to_string(f) +
+                "drench: makeSheet was given corners between which face " + std::to_string(face) +
                 " has an area of " + std::to_string(area) +
                 " m2; set the corners apart, and closer to the origin than a million cells");
-        for (const btSoftBody::Node* node : face.m_n)
-            masses[static_cast<std::size_t>(node - &body.m_nodes[0])] += btScalar(arealDensity) * area / 3;
-    }
-    return masses;
+    });
 }
 
 btScalar cellSize(const Corners& c, const Grid& grid) {
@@ -171,11 +164,7 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
     auto body = bodyOfNodes(worldInfo, positionsOf(corners, grid));
     appendFaces(*body, grid);
     appendLinks(*body, grid);
-
-    const std::vector<btScalar> masses = nodeMasses(*body, fabric.arealDensity);
-    for (int n = 0; n < body->m_nodes.size(); ++n)
-        body->m_nodes[n].m_im = 1 / masses[static_cast<std::size_t>(n)];
-    body->updateLinkConstants();
+    setMasses(*body, fabric.arealDensity);
 
     const btScalar cell = cellSize(corners, grid);
     body->getCollisionShape()->setMargin(std::min(cell / 4, btScalar(0.02)));

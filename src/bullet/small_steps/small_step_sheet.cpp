@@ -122,14 +122,15 @@ SmallStepSheet::SmallStepSheet(const SheetMechanics& mechanics, const SmallStepK
 void SmallStepSheet::packLinks(const SheetMechanics& mechanics) {
     std::vector<std::array<int, 2>> elements;
     std::vector<int> links;
-    double length = 0;
+    const auto isStretched = [&](std::size_t link) {
+        return mechanics.dryStiffness[link].kind != LinkKind::bending;  // the plates bend
+    };
     for (std::size_t i = 0; i < mechanics.shape.links.size(); ++i) {
-        if (mechanics.dryStiffness[i].kind == LinkKind::bending) continue;  // the plates bend
+        if (!isStretched(i)) continue;
         elements.push_back(mechanics.shape.links[i].nodes);
         links.push_back(static_cast<int>(i));
-        length += mechanics.shape.links[i].length;
     }
-    meanLink_ = links.empty() ? 0 : length / double(links.size());
+    meanLink_ = meanLength(mechanics.shape.links, isStretched).value_or(0.0);
 
     Eigen::AlignedBox2d extent;
     for (const auto& corners : mechanics.mesh.coordinates)

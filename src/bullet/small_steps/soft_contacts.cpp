@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bullet/contact/contact_law.h"
+#include "bullet/contact/flat_neighbours.h"
 #include "bullet/sheet/face_projection.h"
 
 namespace drench {
@@ -76,14 +78,13 @@ void SoftContacts::choose(std::size_t first) {
 
 /// Whether a face rises above the plane by which a node meets the nearest one; its own plane then counts.
 bool SoftContacts::rises(Found& found, const Found& nearest) {
-    constexpr btScalar flat = btScalar(0.1);  // of the margin
     const btVector3& up = nearest.contact.m_normal;
     const btVector3& place = found.contact.m_node->m_x;
     const btVector3 point = place - up * nearest.distance;
     const auto* const corners = found.contact.m_face->m_n;
     btScalar top = 0;
     for (int corner = 0; corner < 3; ++corner) top = std::max(top, up.dot(corners[corner]->m_x - point));
-    if (top < flat * found.margin) return false;
+    if (!risesAbove(top, found.margin)) return false;
     const btVector3 normal = (corners[1]->m_x - corners[0]->m_x).cross(corners[2]->m_x - corners[0]->m_x);
     const btScalar length = normal.length();
     if (!(length > 0)) return false;
@@ -135,8 +136,7 @@ void SoftContacts::bond(Contact& contact, const btSoftBody& other, const Grip& o
         double ofOther = 0;
         for (std::size_t corner = 1; corner < 4; ++corner)
             ofOther -= double(contact.weights[corner]) * ofFace->bondTraction(contact.nodes[corner]);
-        // Both have to be wet; and the nodes of either hold one half.
-        traction = 0.5 * std::min(traction, ofOther);
+        traction = bondTractionBetween(traction, ofOther);
     }
     contact.bond = float(traction * ofNode.area(node));
     contact.reach = float(ofNode.reach());
@@ -166,12 +166,10 @@ SoftContacts::Contact SoftContacts::placed(const Found& found, const std::vector
     return contact;
 }
 
-/// Takes overlapping bodies apart, without a velocity of their own and a little at a time: all at once would take
-/// cloth through cloth elsewhere.
+/// Takes overlapping bodies apart.
 void SoftContacts::lift(Contact& contact, float margin) {
-    constexpr float atOnce = 0.1f;
     if (contact.gap >= 0 || !(contact.response > 0)) return;
-    const float lifted = std::min(-contact.gap, atOnce * margin);
+    const float lifted = liftAtOnce(-contact.gap, margin);
     for (std::size_t i = 0; i < 4; ++i) {
         const btVector3 by = contact.normal * btScalar(lifted * contact.weights[i] *
                                                        contact.moved[i]->inverseMass / contact.response);
@@ -230,20 +228,20 @@ void SoftContacts::solve() {
         for (std::size_t i = 0; i < 4; ++i)
             apart += vectorOf(*contact.moved[i]) * btScalar(contact.weights[i]);
         const btScalar depth = -(btScalar(contact.gap) + apart.dot(contact.normal));
-        contact.isBonded =
-            contact.bond > 0 && (contact.isBonded ? depth > -btScalar(contact.reach) : depth > 0);
+        contact.isBonded = bondHolds(contact.bond, contact.isBonded || depth > 0, -depth, contact.reach);
         if (!((depth > 0 || contact.isBonded) && std::abs(depth) < std::numeric_limits<btScalar>::max()))
             continue;  // nor for what is not finite
         contact.touched = true;
-        const btScalar held = contact.isBonded ? bondedWay(contact) : btScalar(0);
-        const btScalar closing = std::max(depth, -held);
+        const ContactLaw law = {btScalar(contact.friction),
+                                contact.isBonded ? bondedWay(contact) : btScalar(0)};
+        const btScalar closing = law.push(depth);
 
         btVector3 slip(0, 0, 0);
         for (std::size_t i = 0; i < 4; ++i) slip += step(contact, i) * btScalar(contact.weights[i]);
-        slip -= contact.normal * slip.dot(contact.normal);
-        const btScalar length = slip.length(), most = btScalar(contact.friction) * (closing + held);
+        slip = alongSurface(slip, contact.normal);
+        const btScalar length = slip.length();
         btVector3 push = contact.normal * closing;
-        if (length > 0) push -= slip * (std::min(most, length) / length);
+        if (length > 0) push -= drag(slip, length, length, law.maxFriction(closing));
         for (std::size_t i = 0; i < 4; ++i)
             shift(*contact.moved[i],
                   push * btScalar(contact.weights[i] * contact.moved[i]->inverseMass / contact.response));

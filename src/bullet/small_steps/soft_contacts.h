@@ -70,8 +70,7 @@ class SoftContacts {
     };
 
     /// Of what was found since then, leaves each node its nearest face, and of the others those that rise above the
-    /// plane of that: the plane by which it would meet the next face of level cloth, at its edge, would stand in
-    /// its way.
+    /// plane of that; see flat_neighbours.h.
     void choose(std::size_t first);
     static bool rises(Found& found, const Found& nearest);
 

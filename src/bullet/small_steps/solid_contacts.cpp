@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "bullet/contact/contact_law.h"
+#include "bullet/contact/flat_neighbours.h"
 #include "bullet/contact/solid_distance.h"
 #include "bullet/sheet/rest_shape.h"
 
@@ -107,7 +109,7 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
                       true};
     const std::size_t at = with.isTriangle ? placeOnMesh(n, place, node.m_x) : contacts_.size();
     if (at == contacts_.size()) {
-        const double bond = with.surface.wettability * with.grip.bond(n);
+        const double bond = with.grip.bond(with.surface, n);
         contacts_.push_back({static_cast<int>(n),
                              {},
                              0,
@@ -122,7 +124,6 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
 }
 
 std::size_t SolidContacts::placeOnMesh(std::size_t n, const Place& place, const btVector3& start) {
-    constexpr btScalar sameWay = btScalar(0.7);
     const std::size_t nowhere = contacts_.size() + 1;
     const btTransform& solid = mesh_->getWorldTransform();
     const auto wayOf = [&](const Place& of) {
@@ -136,8 +137,7 @@ std::size_t SolidContacts::placeOnMesh(std::size_t n, const Place& place, const 
             return contacts_.size();
         }
         const auto at = static_cast<std::size_t>(known);
-        if (wayOf(places_[at]).dot(way) > sameWay)
-            return places_[at].distance > place.distance ? at : nowhere;
+        if (faceAlike(wayOf(places_[at]), way)) return places_[at].distance > place.distance ? at : nowhere;
         if (farthest == nowhere || places_[at].distance > places_[farthest].distance) farthest = at;
     }
     return places_[farthest].distance > place.distance ? farthest : nowhere;
@@ -151,7 +151,6 @@ void SolidContacts::choose(const btSoftBody& body, const Solids& solids) {
         before_.push_back(last);
         last = static_cast<int>(i);
     }
-    constexpr btScalar flat = btScalar(0.1);  // of the margin
     const btScalar margin = body.getCollisionShape()->getMargin();
     const auto before = [&](int contact) { return before_[static_cast<std::size_t>(contact)]; };
     for (const int last : lastOfNode_) {
@@ -164,13 +163,12 @@ void SolidContacts::choose(const btSoftBody& body, const Solids& solids) {
         const auto chosen = static_cast<std::size_t>(nearest);
         const btVector3& start = body.m_nodes[contacts_[chosen].node].m_x;
         for (int i = last; i >= 0; i = before(i))
-            if (i != nearest)
-                choose(start, places_[chosen], flat * margin, static_cast<std::size_t>(i), solids);
+            if (i != nearest) choose(start, places_[chosen], margin, static_cast<std::size_t>(i), solids);
     }
     removeLeftOut();
 }
 
-void SolidContacts::choose(const btVector3& start, const Place& nearest, btScalar flat, std::size_t other,
+void SolidContacts::choose(const btVector3& start, const Place& nearest, btScalar margin, std::size_t other,
                            const Solids& solids) {
     constexpr btScalar otherFace = btScalar(-0.5);
     Place& place = places_[other];
@@ -179,7 +177,7 @@ void SolidContacts::choose(const btVector3& start, const Place& nearest, btScala
     const btVector3& up = nearest.normal;
     const btScalar top = place.isTriangle ? farthestOfTriangle(*place.shape, transform, up)
                                           : farthestAlong(*place.shape, transform, up);
-    if (top - up.dot(nearest.point) < flat) {
+    if (!risesAbove(top - up.dot(nearest.point), margin)) {
         contact.node = -1;
         return;
     }
@@ -274,7 +272,7 @@ void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
         const float gap = contact.gap + normal[0] * (node.x - float(displacement.x())) +
                           normal[1] * (node.y - float(displacement.y())) +
                           normal[2] * (node.z - float(displacement.z()));
-        contact.isBonded = contact.bond > 0 && (contact.isBonded ? gap < float(reach_) : gap < 0);
+        contact.isBonded = bondHolds(contact.bond, contact.isBonded || gap < 0, gap, float(reach_));
         if (!((gap < 0 || contact.isBonded) && std::abs(gap) < std::numeric_limits<float>::max()))
             continue;  // nor for what is not finite
         contact.touched = true;
@@ -290,17 +288,16 @@ void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const Pl
                            btScalar(contact.normal[2]));
     const auto inverseMass = btScalar(node.inverseMass);
     const auto h = btScalar(sheet.smallStep());
-    const btScalar bond = contact.isBonded ? btScalar(contact.bond) * h * h : btScalar(0);
-    const btScalar push = std::max(btScalar(depth) / (inverseMass + place.response), -bond);
-    const btVector3 slip = sheet.step(n) - solid.step(place.arm);
-    const btVector3 along = slip - normal * slip.dot(normal);
-    // What presses the faces together is what holds them apart: the push, and that against the bond.
-    const btScalar length = along.length(), most = btScalar(contact.friction) * (push + bond);
+    const ContactLaw law = {btScalar(contact.friction),
+                            contact.isBonded ? btScalar(contact.bond) * h * h : btScalar(0)};
+    const btScalar push = law.push(btScalar(depth) / (inverseMass + place.response));
+    const btVector3 slip = alongSurface(sheet.step(n) - solid.step(place.arm), normal);
+    const btScalar length = slip.length();
     btVector3 total = normal * push;
     if (length > 0) {
         // Along its surface a solid that may turn gives way more readily than across it.
-        const btScalar giving = inverseMass + solid.response(place.arm, along / length);
-        total -= along * (std::min(most, length / giving) / length);
+        const btScalar giving = inverseMass + solid.response(place.arm, slip / length);
+        total -= drag(slip, length, length / giving, law.maxFriction(push));
     }
     shift(node, total * inverseMass);
     solid.push(place.arm, -total);

@@ -64,15 +64,13 @@ class SolidContacts {
     void findNode(btSoftBody& body, const SmallStepSheet& sheet, std::size_t n, const Touching& with);
     /// Where the contact of a node with a mesh goes; see meshContacts_.
     std::size_t placeOnMesh(std::size_t n, const Place& place, const btVector3& start);
-    /// Leaves out contacts that would stand in the way of a node on flat ground of several parts, be they triangles,
-    /// children of a compound or solids side by side: the next part is nearest at its edge, ahead of the node, and a
-    /// plane that faces the node from there is none of its surface. So of what a node might touch the nearest
-    /// counts, and of the rest only what rises above the nearest's plane; triangles then by their own plane.
+    /// Leaves out contacts that would stand in the way of a node on flat ground of several parts; see
+    /// flat_neighbours.h. Triangles that rise above the nearest plane count by their own.
     void choose(const btSoftBody& body, const Solids& solids);
     /// Puts contacts in the order of the solids in the world: Bullet tells of those in the order in which they have
     /// met, which restored sheets would not know.
     void order(const Solids& solids);
-    void choose(const btVector3& start, const Place& nearest, btScalar flat, std::size_t other,
+    void choose(const btVector3& start, const Place& nearest, btScalar margin, std::size_t other,
                 const Solids& solids);
     void removeLeftOut();
     /// Moves the plane to where the solid is as the substep ends.

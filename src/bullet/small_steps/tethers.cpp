@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "cloth/compressed_rows.h"
+
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
@@ -16,15 +18,16 @@ struct Way {
     double length;
 };
 
-std::vector<std::vector<Way>> waysThrough(const SheetMechanics& mechanics) {
-    std::vector<std::vector<Way>> ways(mechanics.mesh.size());
-    for (std::size_t i = 0; i < mechanics.shape.links.size(); ++i) {
-        if (mechanics.dryStiffness[i].kind == LinkKind::bending) continue;
-        const LinkNodes& link = mechanics.shape.links[i];
-        for (std::size_t end = 0; end < 2; ++end)
-            ways[static_cast<std::size_t>(link.nodes[end])].push_back({link.nodes[1 - end], link.length});
-    }
-    return ways;
+/// From each node, through the links.
+CompressedRows<Way> waysThrough(const SheetMechanics& mechanics) {
+    return {mechanics.mesh.size(), [&](const auto& add) {
+                for (std::size_t i = 0; i < mechanics.shape.links.size(); ++i) {
+                    if (mechanics.dryStiffness[i].kind == LinkKind::bending) continue;
+                    const LinkNodes& link = mechanics.shape.links[i];
+                    for (std::size_t end = 0; end < 2; ++end)
+                        add(static_cast<std::size_t>(link.nodes[end]), Way{link.nodes[1 - end], link.length});
+                }
+            }};
 }
 
 /// What stretches at a distance from the pins: the mass beyond, and the cloth that holds it.
