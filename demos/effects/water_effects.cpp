@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "effects/solid_ray.h"
+#include "bullet/fluid/rigid_shelter.h"
 #include "world/angles.h"
 #include "world/vectors.h"
 
@@ -148,7 +148,7 @@ Eigen::Vector3d WaterEffects::randomDirection() {
 
 std::optional<WaterEffects::Hit> WaterEffects::hitBody(const Eigen::Vector3d& from,
                                                        const Eigen::Vector3d& to) const {
-    SolidRay ray(bulletVector(from), bulletVector(to));
+    SolidRay ray(toBullet(from), toBullet(to));
     world_.rayTest(ray.m_rayFromWorld, ray.m_rayToWorld, ray);
     if (!ray.hasHit()) return std::nullopt;
     return Hit{from + double(ray.m_closestHitFraction) * (to - from), ray.m_collisionObject};

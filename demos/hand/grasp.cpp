@@ -27,7 +27,8 @@ Grasp::Grasp(const ClothHit& hit, const Pointer& pointer)
       nodes_(hit.sheet.body->m_nodes.size()),
       isHeld_(static_cast<std::size_t>(nodes_), 0),
       centre_(hit.point),
-      depth_(double((hit.point - bulletVector(pointer.ray.origin)).dot(bulletVector(pointer.forward)))) {
+      depth_(double((hit.point - toBullet(pointer.ray.origin.cast<double>()))
+                        .dot(toBullet(pointer.forward.cast<double>())))) {
     btSoftBody& body = *sheet_.body;
     const btSoftBody::Face& face = body.m_faces[hit.face];
     for (int n = 0; n < nodes_; ++n) {
@@ -51,7 +52,7 @@ bool Grasp::holdsOneOf(const std::vector<Graspable>& sheets) const {
 btVector3 Grasp::target(const Pointer& pointer) const {
     constexpr float grazing = 0.05f;
     const float along = std::max(grazing, pointer.ray.direction.dot(pointer.forward));
-    return bulletVector(pointer.ray.origin + float(depth_) / along * pointer.ray.direction);
+    return toBullet((pointer.ray.origin + float(depth_) / along * pointer.ray.direction).cast<double>());
 }
 
 bool Grasp::isHeld(const btSoftBody::Node* node) const {

@@ -24,7 +24,7 @@ Drape::Drape(const SceneOptions& options) : StagedScene(fitted(sceneFile("drape"
 double Drape::penetration(std::size_t side) const {
     double deepest = 0;
     const btSoftBody& body = cloth(side).body();
-    const btVector3 centre = bulletVector(balls_[side].position);
+    const btVector3 centre = toBullet(balls_[side].position);
     for (int n = 0; n < body.m_nodes.size(); ++n)
         deepest = std::max(deepest, balls_[side].radius - double((body.m_nodes[n].m_x - centre).length()));
     return deepest;
@@ -33,7 +33,7 @@ double Drape::penetration(std::size_t side) const {
 /// Mean horizontal distance of the four corners from the ball's axis, m: small when the sheet hangs close.
 double Drape::spread(std::size_t side) const {
     const SceneCloth& sheet = cloth(side);
-    const btVector3 centre = bulletVector(balls_[side].position);
+    const btVector3 centre = toBullet(balls_[side].position);
     double sum = 0;
     for (const int j : {0, sheet.nodesWeft() - 1})
         for (const int i : {0, sheet.nodesWarp() - 1}) {

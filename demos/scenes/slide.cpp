@@ -34,12 +34,12 @@ btVector3 upwards() {
 void layOut(SolidDescription& slope, SheetDescription& sheet, double x) {
     const double halfLength = slope.halfExtents.z(), side = sheet.warp.norm();
     const btVector3 middle = btVector3(btScalar(x), btScalar(lowEnd), 0) - downwards() * btScalar(halfLength);
-    slope.position = plainVector(middle);
-    slope.turn = plainTurn(btQuaternion(btVector3(1, 0, 0), btScalar(tilt)));
+    slope.position = toEigen(middle);
+    slope.turn = toEigen(btQuaternion(btVector3(1, 0, 0), btScalar(tilt)));
     const btVector3 top =
         middle + upwards() * btScalar(slope.halfExtents.y()) - downwards() * btScalar(halfLength - startsAt);
-    sheet.corner = plainVector(top - btVector3(btScalar(side / 2), 0, 0));
-    sheet.weft = plainVector(downwards() * btScalar(side));
+    sheet.corner = toEigen(top - btVector3(btScalar(side / 2), 0, 0));
+    sheet.weft = toEigen(downwards() * btScalar(side));
 }
 
 /// Slopes stand on two posts each at their upper ends.

@@ -118,10 +118,9 @@ class StockAndDrench::Exhibit {
     void addPlainSheet(int iterations) {
         const Fabric fabric = sheet_.fabric.fabric();
         albedo_ = {float(fabric.albedoRed), float(fabric.albedoGreen), float(fabric.albedoBlue)};
-        plain_ = makeSheet(
-            stage_->world().worldInfo(), fabric,
-            flatCorners(bulletVector(sheet_.corner), bulletVector(sheet_.warp), bulletVector(sheet_.weft)),
-            sheet_.nodes[0], sheet_.nodes[1]);
+        plain_ = makeSheet(stage_->world().worldInfo(), fabric,
+                           flatCorners(toBullet(sheet_.corner), toBullet(sheet_.warp), toBullet(sheet_.weft)),
+                           sheet_.nodes[0], sheet_.nodes[1]);
         body_ = plain_.get();
         body_->m_cfg.piterations = iterations;
         for (const Pin& pin : sheet_.pins) body_->m_nodes[nodeOfPin(*pin.warp, sheet_.nodes[0])].m_im = 0;
