@@ -97,7 +97,7 @@ double Cling::turnRateNow() const {
     return turnRate * std::clamp((time() - startsAt) / spinUp, 0.0, 1.0);
 }
 
-void Cling::direct() {
+void Cling::script() {
     const double rate = turnRateNow();
     for (const auto& side : sides_) side->turn(rate);
     turned_ += rate * frameTime;
@@ -123,7 +123,7 @@ std::vector<double> Cling::row() const {
     return values;
 }
 
-void Cling::adorn(viewer::Picture& picture) const {
+void Cling::annotate(viewer::Picture& picture) const {
     std::ostringstream text;
     const Side &dry = *sides_[0], &wet = *sides_[1];
     text << std::fixed << std::setprecision(0) << "balls turned by " << degrees(turned_)

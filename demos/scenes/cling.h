@@ -26,9 +26,9 @@ class Cling final : public StagedScene {
     class Side;
 
     double turnRateNow() const;
-    void direct() override;
+    void script() override;
     void measure() override;
-    void adorn(viewer::Picture& picture) const override;
+    void annotate(viewer::Picture& picture) const override;
     std::string remarks() const override;
     void check(std::vector<std::string>& list) const override;
 

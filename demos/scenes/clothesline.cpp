@@ -73,7 +73,7 @@ double Clothesline::rippleDepth(double column) const {
     return 0;
 }
 
-void Clothesline::direct() {
+void Clothesline::script() {
     const double angle = windTurn * std::sin(2 * pi * time() / windPeriod);
     stage().weather().windDirection = {std::sin(angle), 0, std::cos(angle)};
 }
@@ -188,7 +188,7 @@ void Clothesline::showPegs(viewer::Picture& picture) const {
     }
 }
 
-void Clothesline::adorn(viewer::Picture& picture) const {
+void Clothesline::annotate(viewer::Picture& picture) const {
     showPegs(picture);
     std::ostringstream text;
     text << std::fixed << std::setprecision(0) << waterMinutes(time())

@@ -43,9 +43,9 @@ class Clothesline final : public StagedScene {
         double expected;
         double from, to;  // mean content, kg/kg
     };
-    void direct() override;
+    void script() override;
     void measure() override;
-    void adorn(viewer::Picture& picture) const override;
+    void annotate(viewer::Picture& picture) const override;
     void check(std::vector<std::string>& list) const override;
 
     void hang();

@@ -57,7 +57,7 @@ std::vector<double> Drape::row() const {
     return values;
 }
 
-void Drape::adorn(viewer::Picture& picture) const {
+void Drape::annotate(viewer::Picture& picture) const {
     std::ostringstream text;
     text << std::fixed << std::setprecision(2) << "left dry, " << cloth(0).mass() << " kg; right wet, "
          << cloth(1).mass() << " kg";

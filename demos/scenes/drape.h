@@ -21,7 +21,7 @@ class Drape final : public StagedScene {
   private:
     double penetration(std::size_t side) const;
     double spread(std::size_t side) const;
-    void adorn(viewer::Picture& picture) const override;
+    void annotate(viewer::Picture& picture) const override;
     void check(std::vector<std::string>& list) const override;
 
     std::vector<SolidDescription> balls_;  // of the dry and the wet sheet

@@ -156,7 +156,7 @@ std::string DrapeMeter::status() const {
     return text.str();
 }
 
-void DrapeMeter::adorn(viewer::Picture& picture) const {
+void DrapeMeter::annotate(viewer::Picture& picture) const {
     for (const double x : axes) showPedestal(picture, float(x));
     const Drape left = dry(), right = wet();
     std::ostringstream text;

@@ -97,7 +97,7 @@ std::vector<double> Flag::row() const {
     return values;
 }
 
-void Flag::adorn(viewer::Picture& picture) const {
+void Flag::annotate(viewer::Picture& picture) const {
     std::ostringstream text;
     text << std::fixed << std::setprecision(1) << "left dry, " << sides_[0]->frequency() << " Hz; right wet, "
          << sides_[1]->frequency() << " Hz; wind " << stage().weather().windSpeed << " m/s";

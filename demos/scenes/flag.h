@@ -26,7 +26,7 @@ class Flag final : public StagedScene {
     class Side;
 
     void measure() override;
-    void adorn(viewer::Picture& picture) const override;
+    void annotate(viewer::Picture& picture) const override;
     std::string remarks() const override;
     void check(std::vector<std::string>& list) const override;
 

@@ -45,7 +45,7 @@ double Dip::barHeight() const {
     return barHigh_ + (barLow - barHigh_) * down;
 }
 
-void Dip::direct() {
+void Dip::script() {
     const btVector3 bar(0, btScalar(barHeight()), 0);
     for (std::size_t i = 0; i < held_.size(); ++i) cloth().body().m_nodes[held_[i]].m_x = bar + fromBar_[i];
 }
@@ -88,7 +88,7 @@ std::string Dip::status() const {
     return doing() + ", " + timeText(1);
 }
 
-void Dip::adorn(viewer::Picture& picture) const {
+void Dip::annotate(viewer::Picture& picture) const {
     showBar(picture);
     std::ostringstream text;
     text << std::fixed << std::setprecision(0) << doing() << "; cloth " << 1e3 * cloth().wet().dryMass()

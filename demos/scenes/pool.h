@@ -23,9 +23,9 @@ class Dip final : public StagedScene {
     double depth() const;
     double meanSaturation() const;
     std::string doing() const;
-    void direct() override;
+    void script() override;
     void measure() override;
-    void adorn(viewer::Picture& picture) const override;
+    void annotate(viewer::Picture& picture) const override;
     void showBar(viewer::Picture& picture) const;
     void check(std::vector<std::string>& list) const override;
 

@@ -71,7 +71,7 @@ void HalfUnderRoof::hang() {
         }
 }
 
-void HalfUnderRoof::direct() {
+void HalfUnderRoof::script() {
     const bool rains = time() >= settlingTime - frameTime / 2;
     if (rains && openAreaTime_ == 0) stage().weather().rain = intensity_;
     if (!rains) return;
@@ -165,7 +165,7 @@ std::string HalfUnderRoof::status() const {
     return (rainTime() > 0 ? "rains, " : "comes to rest, ") + timeText(1);
 }
 
-void HalfUnderRoof::adorn(viewer::Picture& picture) const {
+void HalfUnderRoof::annotate(viewer::Picture& picture) const {
     std::ostringstream text;
     text << std::fixed << std::setprecision(1) << "rain, " << stage().weather().rain << " mm/h, for "
          << rainTime() << " s; saturation in the open " << std::setprecision(2) << saturationBetween(0.5, 1)

@@ -29,8 +29,8 @@ class HalfUnderRoof final : public StagedScene {
     double clear() const;
     double sag() const;
     double brought() const;
-    void direct() override;
-    void adorn(viewer::Picture& picture) const override;
+    void script() override;
+    void annotate(viewer::Picture& picture) const override;
     std::vector<Column> reportColumns() const override;
     std::vector<double> reportRow() const override;
     std::string remarks() const override;

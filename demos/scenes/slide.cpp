@@ -106,7 +106,7 @@ std::vector<double> Slide::row() const {
             slid(2), cloth(2).meanSpeed()};
 }
 
-void Slide::adorn(viewer::Picture& picture) const {
+void Slide::annotate(viewer::Picture& picture) const {
     std::ostringstream text;
     text << std::fixed << std::setprecision(2) << "from the left: dry, slid " << slid(0) << " m; damp, "
          << slid(1) << " m; soaked, " << slid(2) << " m";

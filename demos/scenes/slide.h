@@ -22,7 +22,7 @@ class Slide final : public StagedScene {
     double slid(std::size_t lane) const;
     double dryTheory(double time) const;
     void measure() override;
-    void adorn(viewer::Picture& picture) const override;
+    void annotate(viewer::Picture& picture) const override;
     std::string remarks() const override;
     void check(std::vector<std::string>& list) const override;
 

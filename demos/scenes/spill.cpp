@@ -41,7 +41,7 @@ Spill::Spill(const SceneOptions& options)
       table_(solidNamed(sceneFile("spill"), "table")),
       spout_(jugOf(sceneFile("spill")).origin) {}
 
-void Spill::direct() {
+void Spill::script() {
     pouringRate_ = pourNow();
     if (stage().hasWater()) std::get<SprayDescription>(stage().source("jug").water).rate = pouringRate_;
 }
@@ -137,7 +137,7 @@ std::string Spill::status() const {
            timeText(1);
 }
 
-void Spill::adorn(viewer::Picture& picture) const {
+void Spill::annotate(viewer::Picture& picture) const {
     if (pouringRate_ > 0) {
         showJug(picture);
         showStream(picture);

@@ -32,9 +32,9 @@ class Spill final : public StagedScene {
         double roundness() const;
     };
 
-    void direct() override;
+    void script() override;
     void measure() override;
-    void adorn(viewer::Picture& picture) const override;
+    void annotate(viewer::Picture& picture) const override;
     std::vector<Column> reportColumns() const override;
     std::vector<double> reportRow() const override;
     std::string remarks() const override;

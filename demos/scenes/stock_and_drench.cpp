@@ -32,12 +32,12 @@ std::string number(double value, int digits) {
 }  // namespace
 
 /// One sheet on a stage of its own.
-class StockAndDrench::Exhibit {
+class StockAndDrench::Specimen {
   public:
     enum class Kind { stock, dry, wet };
 
     /// @param scene  with the one sheet
-    Exhibit(Kind kind, SceneDescription scene, double x) : kind_(kind), sheet_(scene.sheets.front()), x_(x) {
+    Specimen(Kind kind, SceneDescription scene, double x) : kind_(kind), sheet_(scene.sheets.front()), x_(x) {
         sheet_.name = kind == Kind::dry ? "dry" : kind == Kind::wet ? "wet" : "stock";
         sheet_.corner.x() += x;
         sheet_.saturation = kind == Kind::wet ? 1 : 0;
@@ -54,11 +54,11 @@ class StockAndDrench::Exhibit {
         }
         hang();
     }
-    ~Exhibit() {
+    ~Specimen() {
         if (plain_) stage_->world().removeSoftBody(*plain_);
     }
-    Exhibit(const Exhibit&) = delete;
-    Exhibit& operator=(const Exhibit&) = delete;
+    Specimen(const Specimen&) = delete;
+    Specimen& operator=(const Specimen&) = delete;
 
     Stage& stage() { return *stage_; }
     bool isStock() const { return kind_ == Kind::stock; }
@@ -159,15 +159,15 @@ StockAndDrench::StockAndDrench(const SceneOptions& options) {
     own.solver = SolverKind::smallStep;  // of those that are not stock, whatever is asked for
     const SceneDescription scene = fitted(sceneFile("stock-and-drench"), own);
     duration_ = scene.duration;
-    exhibits_ = {std::make_unique<Exhibit>(Exhibit::Kind::stock, scene, -apart),
-                 std::make_unique<Exhibit>(Exhibit::Kind::dry, scene, 0),
-                 std::make_unique<Exhibit>(Exhibit::Kind::wet, scene, apart)};
+    specimens_ = {std::make_unique<Specimen>(Specimen::Kind::stock, scene, -apart),
+                  std::make_unique<Specimen>(Specimen::Kind::dry, scene, 0),
+                  std::make_unique<Specimen>(Specimen::Kind::wet, scene, apart)};
 }
 
 StockAndDrench::~StockAndDrench() = default;
 
 void StockAndDrench::advance() {
-    for (const auto& exhibit : exhibits_) exhibit->advance();
+    for (const auto& specimen : specimens_) specimen->advance();
     time_ = ++frames_ * frameTime;
 }
 
@@ -177,23 +177,23 @@ std::string StockAndDrench::status() const {
 
 viewer::Picture StockAndDrench::picture(View view) const {
     viewer::Picture picture;
-    for (const auto& exhibit : exhibits_) exhibit->show(picture, view);
+    for (const auto& specimen : specimens_) specimen->show(picture, view);
     std::string names;
-    for (const auto& exhibit : exhibits_) names += (names.empty() ? "" : "; ") + exhibit->name();
+    for (const auto& specimen : specimens_) names += (names.empty() ? "" : "; ") + specimen->name();
     picture.caption.push_back(names);
     return picture;
 }
 
 std::vector<viewer::Picture> StockAndDrench::sideBySide() const {
     std::vector<viewer::Picture> row;
-    for (const auto& exhibit : exhibits_) {
+    for (const auto& specimen : specimens_) {
         viewer::Picture picture;
-        exhibit->show(picture, View::beauty);
-        picture.camera.target = {float(exhibit->x()), 0.6f, 0};
+        specimen->show(picture, View::beauty);
+        picture.camera.target = {float(specimen->x()), 0.6f, 0};
         picture.camera.distance = 2.75f;
         picture.camera.yaw = -0.35f;
         picture.camera.pitch = 0.14f;
-        picture.caption = exhibit->caption();
+        picture.caption = specimen->caption();
         picture.captionBelow = true;
         row.push_back(picture);
     }
@@ -202,8 +202,8 @@ std::vector<viewer::Picture> StockAndDrench::sideBySide() const {
 
 std::vector<Stage*> StockAndDrench::stages() {
     std::vector<Stage*> list;
-    for (const auto& exhibit : exhibits_)
-        if (!exhibit->isStock()) list.push_back(&exhibit->stage());
+    for (const auto& specimen : specimens_)
+        if (!specimen->isStock()) list.push_back(&specimen->stage());
     return list;
 }
 
@@ -211,10 +211,10 @@ std::optional<Table> StockAndDrench::result() const {
     Table table;
     table.columns = {{"exhibit", 0},  {"mass_kg", 4},      {"mean_strain", 5},
                      {"lowest_m", 4}, {"ms_per_frame", 2}, {"small_steps", 0}};
-    for (std::size_t i = 0; i < exhibits_.size(); ++i) {
-        const Exhibit& exhibit = *exhibits_[i];
-        table.rows.push_back({double(i), exhibit.mass(), exhibit.meanStrain(), exhibit.lowest(),
-                              1e3 * exhibit.perFrame(), double(exhibit.smallSteps())});
+    for (std::size_t i = 0; i < specimens_.size(); ++i) {
+        const Specimen& specimen = *specimens_[i];
+        table.rows.push_back({double(i), specimen.mass(), specimen.meanStrain(), specimen.lowest(),
+                              1e3 * specimen.perFrame(), double(specimen.smallSteps())});
     }
     return table;
 }
@@ -222,16 +222,16 @@ std::optional<Table> StockAndDrench::result() const {
 void StockAndDrench::report(std::ostream& out) const {
     print(out, *result());
     out << '\n';
-    for (std::size_t i = 0; i < exhibits_.size(); ++i) out << i << ": " << exhibits_[i]->name() << '\n';
+    for (std::size_t i = 0; i < specimens_.size(); ++i) out << i << ": " << specimens_[i]->name() << '\n';
     out << "One substep of 1/60 s a frame; lowest_m is how far the lowest point is below the corners.\n";
 }
 
 std::vector<std::string> StockAndDrench::failures() const {
     std::vector<std::string> list;
-    for (const auto& exhibit : exhibits_)
-        if (!exhibit->isStock() && !(exhibit->meanStrain() < 0.05))
-            list.push_back(exhibit->name() + " strains by " + number(exhibit->meanStrain(), 4));
-    if (!(exhibits_[2]->meanStrain() > exhibits_[1]->meanStrain()))
+    for (const auto& specimen : specimens_)
+        if (!specimen->isStock() && !(specimen->meanStrain() < 0.05))
+            list.push_back(specimen->name() + " strains by " + number(specimen->meanStrain(), 4));
+    if (!(specimens_[2]->meanStrain() > specimens_[1]->meanStrain()))
         list.emplace_back("the wet sheet does not stretch more than the dry one");
     return list;
 }

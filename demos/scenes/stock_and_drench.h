@@ -32,12 +32,12 @@ class StockAndDrench final : public Scene {
     std::vector<std::string> failures() const override;
 
   private:
-    class Exhibit;
+    class Specimen;
 
     double duration_ = 0;  // s
     double time_ = 0;      // s
     int frames_ = 0;
-    std::array<std::unique_ptr<Exhibit>, 3> exhibits_;
+    std::array<std::unique_ptr<Specimen>, 3> specimens_;
 };
 
 }  // namespace drench::demo

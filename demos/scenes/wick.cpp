@@ -175,7 +175,7 @@ std::string Wick::status() const {
     return text.str();
 }
 
-void Wick::adorn(viewer::Picture& picture) const {
+void Wick::annotate(viewer::Picture& picture) const {
     showDish(picture, float(level_));
     showFrame(picture, cloth().madeFrom(), float(level_));
     std::ostringstream text;

@@ -32,7 +32,7 @@ class Wick final : public StagedScene {
     explicit Wick(const SceneDescription& description);
 
     void measure() override;
-    void adorn(viewer::Picture& picture) const override;
+    void annotate(viewer::Picture& picture) const override;
     void check(std::vector<std::string>& list) const override;
 
     /// Highest place that is at least a tenth saturated, m above the water.
