@@ -8,7 +8,7 @@ namespace drench::demo {
 
 namespace {
 
-constexpr double reach = 0.05;         // m, around the point that was picked
+constexpr double holdReach = 0.05;     // m, around the point that was picked
 constexpr double fastest = 6;          // m/s, of the hand
 constexpr double fastestReleased = 3;  // m/s
 constexpr double mostStrain = 0.2;     // of links that leave the hold
@@ -34,7 +34,7 @@ Grasp::Grasp(const ClothHit& hit, const Pointer& pointer)
     for (int n = 0; n < nodes_; ++n) {
         btSoftBody::Node& node = body.m_nodes[n];
         const bool ofFace = &node == face.m_n[0] || &node == face.m_n[1] || &node == face.m_n[2];
-        if (!(node.m_im > 0) || !(ofFace || double((node.m_x - centre_).length()) < reach)) continue;
+        if (!(node.m_im > 0) || !(ofFace || double((node.m_x - centre_).length()) < holdReach)) continue;
         held_.push_back({n, node.m_x - centre_, node.m_im});
         isHeld_[static_cast<std::size_t>(n)] = 1;
         node.m_im = 0;
