@@ -83,7 +83,7 @@ struct SheetDescription {
     std::vector<Pin> pins;
     double slack = 0;  ///< share by which it is pushed together along the warp before it starts, 0 to 0.5
     int waves = 1;     ///< half waves along the warp that take the slack up
-    double unevenness = 0;            ///< by which nodes lie out of the flat, at most, by lot, m
+    double unevenness = 0;            ///< by which nodes lie out of the flat, at most, at random, m
     double saturation = 0;            ///< of its pores at the start, 1; what is above 1 is on its faces
     double presoak = 0;               ///< water at the start on top of that, kg/m2
     double waterSpeed = 1;            ///< how much faster water runs than the world's own time
@@ -164,7 +164,7 @@ struct SceneDescription {
     std::string text;       ///< what happens, in one sentence
     double duration = 30;   ///< s, from `time` on
     double time = 0;        ///< s that have passed already
-    unsigned seed = 1;      ///< of whatever is drawn by lot
+    unsigned seed = 1;      ///< of whatever is random
     bool water = true;      ///< false: nothing brings water, and no vapour passes
     bool dropsFall = true;  ///< whether drops are followed to where they land; otherwise they are gone
     SolverDescription solver;

@@ -63,6 +63,16 @@ void exchangeCamera(Fields& fields, viewer::Camera& camera) {
     angle(fields, "fieldOfView", camera.verticalFieldOfView, {5, 120});
 }
 
+/// The shortest turn that takes the y axis to a direction; half a turn round z where that is straight down. As
+/// Eigen::Quaterniond::FromTwoVectors, whose singular values take seconds to compile.
+Eigen::Quaterniond turnFromY(const Eigen::Vector3d& direction) {
+    const Eigen::Vector3d along = direction.normalized();
+    if (along.y() < -1 + 1e-12) return {0, 0, 0, 1};
+    const double doubledCosine = std::sqrt((1 + along.y()) * 2);
+    const Eigen::Vector3d axis = Eigen::Vector3d::UnitY().cross(along) * (1 / doubledCosine);
+    return {doubledCosine * 0.5, axis.x(), axis.y(), axis.z()};
+}
+
 /// A capsule is given by its ends.
 template <typename Fields>
 void exchangeEnds(Fields& fields, SolidDescription& solid) {
@@ -75,7 +85,7 @@ void exchangeEnds(Fields& fields, SolidDescription& solid) {
         solid.length = (to - from).norm();
         if (!(solid.length >= shortest)) fields.refuse("to", "is where from is; give two places");
         solid.position = (from + to) / 2;
-        solid.turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitY(), to - from);
+        solid.turn = turnFromY(to - from);
     }
 }
 

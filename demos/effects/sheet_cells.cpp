@@ -20,7 +20,7 @@ double meanLinkLength(const btSoftBody& sheet) {
 }  // namespace
 
 SheetCells::SheetCells(const btSoftBody& sheet) {
-    for (int n = 0; n < sheet.m_nodes.size(); ++n) box_.extend(plainVector(sheet.m_nodes[n].m_x));
+    for (int n = 0; n < sheet.m_nodes.size(); ++n) box_.extend(toEigen(sheet.m_nodes[n].m_x));
     if (box_.isEmpty() || !box_.min().allFinite() || !box_.max().allFinite()) {
         box_.setEmpty();
         return;
@@ -32,8 +32,8 @@ SheetCells::SheetCells(const btSoftBody& sheet) {
     taken_.assign(std::size_t(cells_.x()) * std::size_t(cells_.y()) * std::size_t(cells_.z()), 0);
     for (int f = 0; f < sheet.m_faces.size(); ++f) {
         const auto& corner = sheet.m_faces[f].m_n;
-        const Eigen::Vector3d a = plainVector(corner[0]->m_x), b = plainVector(corner[1]->m_x),
-                              c = plainVector(corner[2]->m_x);
+        const Eigen::Vector3d a = toEigen(corner[0]->m_x), b = toEigen(corner[1]->m_x),
+                              c = toEigen(corner[2]->m_x);
         // Corners, middles of the sides, middle: no farther apart than a cell.
         for (const Eigen::Vector3d& place : {a, b, c}) mark(place);
         for (const Eigen::Vector3d& sum :

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "effects/solid_ray.h"
+#include "bullet/fluid/rigid_shelter.h"
 #include "world/angles.h"
 #include "world/vectors.h"
 
@@ -15,7 +15,7 @@ namespace drench::demo {
 
 namespace {
 
-const Eigen::Vector3d gravity(0, -9.81, 0);  // m/s2
+const Eigen::Vector3d gravityVector(0, -9.81, 0);  // m/s2
 
 constexpr double waterDensity = 1000;       // kg/m3
 constexpr double exposure = 1.0 / 100;      // s, for which a drop of rain draws its streak
@@ -148,7 +148,7 @@ Eigen::Vector3d WaterEffects::randomDirection() {
 
 std::optional<WaterEffects::Hit> WaterEffects::hitBody(const Eigen::Vector3d& from,
                                                        const Eigen::Vector3d& to) const {
-    SolidRay ray(bulletVector(from), bulletVector(to));
+    SolidRay ray(toBullet(from), toBullet(to));
     world_.rayTest(ray.m_rayFromWorld, ray.m_rayToWorld, ray);
     if (!ray.hasHit()) return std::nullopt;
     return Hit{from + double(ray.m_closestHitFraction) * (to - from), ray.m_collisionObject};
@@ -280,8 +280,8 @@ void WaterEffects::showJet(const Nozzle& nozzle) {
 /// Moves a drop of a spray on. @return whether it has met something, or is out of sight
 bool WaterEffects::sprayEnds(Bead& drop, double time) {
     const Eigen::Vector3d from = drop.position;
-    drop.position += time * drop.velocity + 0.5 * time * time * gravity;
-    drop.velocity += time * gravity;
+    drop.position += time * drop.velocity + 0.5 * time * time * gravityVector;
+    drop.velocity += time * gravityVector;
     drop.left -= time;
     const std::optional<Hit> hit = hitAnything(from, drop.position);
     if (!hit) return drop.left <= 0;
@@ -293,8 +293,8 @@ bool WaterEffects::sprayEnds(Bead& drop, double time) {
 
 void WaterEffects::flySplashes(double frameTime) {
     removeWhere(splashes_, [&](Bead& drop) {
-        drop.position += frameTime * drop.velocity + 0.5 * frameTime * frameTime * gravity;
-        drop.velocity += frameTime * gravity;
+        drop.position += frameTime * drop.velocity + 0.5 * frameTime * frameTime * gravityVector;
+        drop.velocity += frameTime * gravityVector;
         drop.left -= frameTime;
         return drop.left <= 0;
     });
@@ -318,7 +318,7 @@ void WaterEffects::splash(const Eigen::Vector3d& place, double vigour) {
         const double angle = random(0, 2 * pi), outwards = vigour * random(0.08, 0.25);
         const double upwards = std::min(vigour * random(0.2, 0.5), 1.6);
         const Eigen::Vector3d velocity(outwards * std::cos(angle), upwards, outwards * std::sin(angle));
-        splashes_.push_back({place, velocity, random(0.3e-3, 0.9e-3), 0, 2 * upwards / -gravity.y()});
+        splashes_.push_back({place, velocity, random(0.3e-3, 0.9e-3), 0, 2 * upwards / -gravityVector.y()});
     }
 }
 

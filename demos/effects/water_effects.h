@@ -17,7 +17,7 @@
 
 namespace drench::demo {
 
-/// How much there may be of everything at one time, and by which lot it is drawn.
+/// How much there may be of everything at one time, and the seed of what is random.
 struct WaterEffectsLimits {
     unsigned seed = 1;
     std::size_t streaks = 3000;  ///< drops of rain on their way

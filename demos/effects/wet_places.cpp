@@ -52,7 +52,7 @@ WetPlaces::Place* WetPlaces::nearest(const btCollisionObject& body, const Eigen:
 
 void WetPlaces::wet(const btCollisionObject& body, const Eigen::Vector3d& place, double mass, float outline) {
     if (!(mass > 0)) return;
-    const Eigen::Vector3d inBody = plainVector(body.getWorldTransform().invXform(bulletVector(place)));
+    const Eigen::Vector3d inBody = toEigen(body.getWorldTransform().invXform(toBullet(place)));
     // The less room there is for other places, the farther water goes to join one.
     const double room = 1 - double(places_.size()) / double(most_);
     const double reach = largestRadius * std::pow(std::clamp(1 - 2 * room, 0.0, 1.0), 2);
@@ -99,10 +99,10 @@ void WetPlaces::show(viewer::Picture& picture) const {
     for (const Place& place : places_) {
         const btTransform& frame = place.body->getWorldTransform();
         viewer::WetPatch patch;
-        patch.centre = pictureVector(frame * bulletVector(place.inBody));
+        patch.centre = pictureVector(frame * toBullet(place.inBody));
         patch.radius = float(discRadius(place.area));
         patch.wetness = float(wetnessOf(place.mass / place.area));
-        patch.orientation = plainTurn(frame.getRotation()).cast<float>();
+        patch.orientation = toEigen(frame.getRotation()).cast<float>();
         patch.outline = place.outline;
         picture.patches.push_back(patch);
     }

@@ -8,7 +8,7 @@ namespace drench::demo {
 
 namespace {
 
-constexpr double reach = 0.05;         // m, around the point that was picked
+constexpr double holdReach = 0.05;     // m, around the point that was picked
 constexpr double fastest = 6;          // m/s, of the hand
 constexpr double fastestReleased = 3;  // m/s
 constexpr double mostStrain = 0.2;     // of links that leave the hold
@@ -27,13 +27,14 @@ Grasp::Grasp(const ClothHit& hit, const Pointer& pointer)
       nodes_(hit.sheet.body->m_nodes.size()),
       isHeld_(static_cast<std::size_t>(nodes_), 0),
       centre_(hit.point),
-      depth_(double((hit.point - bulletVector(pointer.ray.origin)).dot(bulletVector(pointer.forward)))) {
+      depth_(double((hit.point - toBullet(pointer.ray.origin.cast<double>()))
+                        .dot(toBullet(pointer.forward.cast<double>())))) {
     btSoftBody& body = *sheet_.body;
     const btSoftBody::Face& face = body.m_faces[hit.face];
     for (int n = 0; n < nodes_; ++n) {
         btSoftBody::Node& node = body.m_nodes[n];
         const bool ofFace = &node == face.m_n[0] || &node == face.m_n[1] || &node == face.m_n[2];
-        if (!(node.m_im > 0) || !(ofFace || double((node.m_x - centre_).length()) < reach)) continue;
+        if (!(node.m_im > 0) || !(ofFace || double((node.m_x - centre_).length()) < holdReach)) continue;
         held_.push_back({n, node.m_x - centre_, node.m_im});
         isHeld_[static_cast<std::size_t>(n)] = 1;
         node.m_im = 0;
@@ -51,7 +52,7 @@ bool Grasp::holdsOneOf(const std::vector<Graspable>& sheets) const {
 btVector3 Grasp::target(const Pointer& pointer) const {
     constexpr float grazing = 0.05f;
     const float along = std::max(grazing, pointer.ray.direction.dot(pointer.forward));
-    return bulletVector(pointer.ray.origin + float(depth_) / along * pointer.ray.direction);
+    return toBullet((pointer.ray.origin + float(depth_) / along * pointer.ray.direction).cast<double>());
 }
 
 bool Grasp::isHeld(const btSoftBody::Node* node) const {

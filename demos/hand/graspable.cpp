@@ -1,6 +1,6 @@
 #include "hand/graspable.h"
 
-#include "effects/solid_ray.h"
+#include "bullet/fluid/rigid_shelter.h"
 #include "stage/stage.h"
 #include "world/vectors.h"
 
@@ -30,12 +30,12 @@ std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const vie
                 distanceTo(ray, pictureVector(face.m_n[0]->m_x), pictureVector(face.m_n[1]->m_x),
                            pictureVector(face.m_n[2]->m_x));
             if (!distance || (first && double(*distance) >= first->distance)) continue;
-            first =
-                ClothHit{sheet, f, bulletVector(ray.origin + *distance * ray.direction), double(*distance)};
+            first = ClothHit{sheet, f, toBullet((ray.origin + *distance * ray.direction).cast<double>()),
+                             double(*distance)};
         }
     if (!first) return std::nullopt;
     constexpr double onSolid = 0.02;  // m, as cloth lies on what is behind it
-    const btVector3 from = bulletVector(ray.origin), way = bulletVector(ray.direction);
+    const btVector3 from = toBullet(ray.origin.cast<double>()), way = toBullet(ray.direction.cast<double>());
     const double most = first->distance - onSolid;
     if (most > 0 && firstSolid(*first->sheet.world, from, from + way * btScalar(most))) return std::nullopt;
     return first;

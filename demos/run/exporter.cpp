@@ -6,6 +6,7 @@
 #include <iostream>
 #include <map>
 
+#include "run/run_options.h"
 #include "stage/scene_cloth.h"
 #include "stage/stage.h"
 
@@ -28,42 +29,53 @@ std::vector<ClothFrame> framesOf(Scene& scene) {
     return frames;
 }
 
-Exporter::Exporter(std::filesystem::path file, int every) : file_(std::move(file)), every_(every) {}
-
-void Exporter::add(Scene& scene) {
-    ++frames_;
-    if (!whole_ || frames_ % every_ != 0) return;
+template <typename Work>
+void FrameKeeper::attempt(Work work) {
     try {
-        keep(scene);
+        work();
     } catch (const std::exception& problem) {
-        lose(problem.what());
+        whole_ = false;
+        std::cerr << "drench-demo: " << problem.what() << std::endl;
     }
 }
 
+void FrameKeeper::add(Scene& scene) {
+    ++frames_;
+    if (whole_ && isDue()) attempt([&] { keep(scene); });
+}
+
+bool FrameKeeper::finish() {
+    attempt([&] { complete(); });
+    return whole_;
+}
+
 void Exporter::keep(Scene& scene) {
-    const double time = frames_ * Scene::frameTime;
+    const double time = frames() * Scene::frameTime;
     const std::vector<ClothFrame> sheets = framesOf(scene);
     if (file_.extension() == ".glb")
         animation_.add(time, sheets);
     else if (file_.extension() == ".obj")
-        writeObj(numbered(file_, frames_ / every_), sheets);
+        writeObj(numbered(file_, frames() / every()), sheets);
     else
-        writeCsv(numbered(file_, frames_ / every_), time, sheets);
+        writeCsv(numbered(file_, frames() / every()), time, sheets);
 }
 
-bool Exporter::finish() {
-    if (animation_.size() == 0) return whole_;
-    try {
-        animation_.write(file_);
-    } catch (const std::exception& problem) {
-        lose(problem.what());
-    }
-    return whole_;
+void Exporter::complete() {
+    if (animation_.size() > 0) animation_.write(file_);
 }
 
-void Exporter::lose(const std::string& why) {
-    whole_ = false;
-    std::cerr << "drench-demo: " << why << std::endl;
+Film::Film(const std::filesystem::path& file, int every, View view)
+    : FrameKeeper(every),
+      view_(view),
+      recorder_(file, pictureWidth, pictureHeight, 1 / (every * Scene::frameTime)) {}
+
+void Film::keep(Scene& scene) {
+    context_.makeCurrent();
+    recorder_.add(renderer_.capture(scene.picture(view_), pictureWidth, pictureHeight));
+}
+
+void Film::complete() {
+    if (isWhole()) recorder_.finish();
 }
 
 }  // namespace drench::demo

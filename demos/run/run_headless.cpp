@@ -10,13 +10,11 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "description/scene_file.h"
 #include "run/exporter.h"
-#include "run/film.h"
-#include "run/frame_name.h"
-#include "run/picture_size.h"
 #include "run/runners.h"
 #include "scenes/registry.h"
 #include "stage/stage.h"
@@ -142,6 +140,12 @@ int judge(const Scene& scene, const RunOptions& options) {
 
 }  // namespace
 
+std::string frameName(int frame) {
+    std::ostringstream name;
+    name << "frame-" << std::setw(6) << std::setfill('0') << frame;
+    return name.str();
+}
+
 std::unique_ptr<Scene> makeScene(const RunOptions& options) {
     if (options.described) return makeScene(*options.described, options.sceneOptions);
     return makeScene(options.scene, options.sceneOptions);
@@ -163,12 +167,12 @@ int runHeadless(Scene& scene, const RunOptions& options) {
     if (!options.saved.empty()) describedNow(scene);  // before the work, not after it
     std::unique_ptr<Album> album;
     if (!options.frames.empty()) album = std::make_unique<Album>(options.frames);
-    std::unique_ptr<Film> film;
-    if (!options.record.empty()) film = std::make_unique<Film>(options.record, std::max(1, options.every));
-
-    std::unique_ptr<Exporter> exporter;
+    std::vector<std::unique_ptr<FrameKeeper>> keepers;
+    if (!options.record.empty())
+        keepers.push_back(std::make_unique<Film>(options.record, std::max(1, options.every), options.view));
     if (!options.exported.empty())
-        exporter = std::make_unique<Exporter>(options.exported, options.every > 0 ? options.every : 4);
+        keepers.push_back(
+            std::make_unique<Exporter>(options.exported, options.every > 0 ? options.every : 4));
 
     ProgressLine progress;
     WaterLog log(scene);
@@ -176,8 +180,7 @@ int runHeadless(Scene& scene, const RunOptions& options) {
         scene.advance();
         log.note(scene);
         progress.show(scene);
-        if (film) film->add(scene.picture(options.view));
-        if (exporter) exporter->add(scene);
+        for (const auto& keeper : keepers) keeper->add(scene);
         if (!album) continue;
         if (const auto moment = scene.moment())
             scene.noteDrawTime(album->add(scene.picture(options.view), *moment));
@@ -195,8 +198,7 @@ int runHeadless(Scene& scene, const RunOptions& options) {
 
     const int status = judge(scene, options);
     bool isWhole = !album || album->isWhole();
-    if (film) isWhole = film->finish() && isWhole;
-    if (exporter) isWhole = exporter->finish() && isWhole;
+    for (const auto& keeper : keepers) isWhole = keeper->finish() && isWhole;
     return isWhole ? status : 2;
 }
 

@@ -7,10 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "run/picture_size.h"
 #include "stage/scene.h"
 
 namespace drench::demo {
+
+constexpr int pictureWidth = 1280, pictureHeight = 720;  ///< of pictures and films, pixels
 
 /// How to run which scene.
 struct RunOptions {

@@ -1,4 +1,4 @@
-// The two ways to run a scene, and what both make and write.
+// A scene run to its end without a window, and what it and a window both make and write.
 #pragma once
 
 #include "run/run_options.h"
@@ -22,9 +22,8 @@ void writeScene(const RunOptions& options, Scene& scene);
 /// @return the exit status: 0, 1 if the scene's check fails, or 2 if pictures, its film or what it exports is not whole
 int runHeadless(Scene& scene, const RunOptions& options);
 
-/// Makes the scene that the options name and runs it in a window until that is closed.
-/// @return the exit status: 0, 1 after OpenGL errors, or 2 where a film or the scene has failed
-int runInWindow(const RunOptions& options);
+/// Names a picture that is taken every so many frames: "frame-000123".
+std::string frameName(int frame);
 
 /// Makes sure that what the options ask to be written can be written.
 /// @throws std::runtime_error that names what cannot

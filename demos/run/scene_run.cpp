@@ -4,7 +4,6 @@
 #include <iostream>
 
 #include "description/scene_file.h"
-#include "run/frame_name.h"
 #include "run/runners.h"
 #include "stage/stage.h"
 #include "world/seconds_since.h"
@@ -112,8 +111,8 @@ std::optional<std::string> SceneRun::pictureName() const {
     return std::nullopt;
 }
 
-Snapshot SceneRun::snapshot() const {
-    Snapshot now;
+FrameState SceneRun::frameState() const {
+    FrameState now;
     now.scene = name_;
     now.run = number_;
     now.frame = frames_;

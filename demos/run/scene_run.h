@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "hand/hand.h"
+#include "run/frame_state.h"
 #include "run/run_options.h"
-#include "run/snapshot.h"
 #include "run/water_log.h"
 #include "stage/pictures.h"
 #include "stage/scene.h"
@@ -29,7 +29,7 @@ struct SceneRequest {
 /// the same scene without a window.
 class SceneRun {
   public:
-    /// @param number  of this run, for its snapshots
+    /// @param number  of this run, for its frame states
     /// @throws what making the scene throws
     SceneRun(const SceneRequest& request, const RunOptions& options, int number);
 
@@ -50,7 +50,7 @@ class SceneRun {
     /// none.
     std::optional<std::string> pictureName() const;
     /// All there is to see and to read now.
-    Snapshot snapshot() const;
+    FrameState frameState() const;
 
   private:
     static void advance(Scene& scene, Hand& hand, const Pointer& pointer);

@@ -98,7 +98,7 @@ void Simulation::noteDrawTime(double seconds) {
     orders_.drawTime = seconds;  // can wait for the next frame
 }
 
-std::shared_ptr<const Snapshot> Simulation::latest() const {
+std::shared_ptr<const FrameState> Simulation::latest() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return latest_;
 }
@@ -185,14 +185,14 @@ void Simulation::publish(const Orders& orders) {
     const bool isFast = orders.frame && now - published_ < shortest;
     if (isFast && !orders.filmed && !run_->pictureName() && !run_->ended()) return;
     published_ = now;
-    auto snapshot = std::make_shared<Snapshot>(run_->snapshot());
+    auto state = std::make_shared<FrameState>(run_->frameState());
     const auto name = orders.frame ? run_->pictureName() : std::nullopt;
     const bool filmed = orders.frame && orders.filmed;
     change([&] {
-        snapshot->framesPerSecond = clock_.rate();
-        snapshot->notice = notice_;
-        latest_ = snapshot;
-        if (name || filmed) keepsakes_.push_back({snapshot, name.value_or(""), filmed});
+        state->framesPerSecond = clock_.rate();
+        state->notice = notice_;
+        latest_ = state;
+        if (name || filmed) keepsakes_.push_back({state, name.value_or(""), filmed});
     });
 }
 
@@ -200,10 +200,10 @@ void Simulation::publish(const Orders& orders) {
 void Simulation::fail(const std::string& what) {
     std::cerr << "drench-demo: " << what << std::endl;
     change([&] {
-        auto snapshot = latest_ ? std::make_shared<Snapshot>(*latest_) : std::make_shared<Snapshot>();
-        snapshot->trouble = what;
-        snapshot->run = runs_;
-        latest_ = snapshot;
+        auto state = latest_ ? std::make_shared<FrameState>(*latest_) : std::make_shared<FrameState>();
+        state->trouble = what;
+        state->run = runs_;
+        latest_ = state;
         standsStill_ = true;
     });
 }

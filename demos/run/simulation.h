@@ -14,15 +14,15 @@
 
 #include "hand/pointer.h"
 #include "run/frame_clock.h"
+#include "run/frame_state.h"
 #include "run/run_options.h"
 #include "run/scene_run.h"
-#include "run/snapshot.h"
 
 namespace drench::demo {
 
 /// A frame that somebody wants to have drawn, however slowly that goes.
 struct Keepsake {
-    std::shared_ptr<const Snapshot> snapshot;
+    std::shared_ptr<const FrameState> state;
     std::string name;     ///< of its picture, without folder and ending; empty: none is wanted
     bool filmed = false;  ///< part of the film
 };
@@ -31,7 +31,7 @@ struct Keepsake {
 /// does is applied between two frames. Nobody who looks on makes it wait, except for pictures that have to be
 /// kept.
 ///
-/// What goes wrong on the thread stops the scene, and stands in the snapshot's `trouble` and on stderr; a
+/// What goes wrong on the thread stops the scene, and stands in the frame state's `trouble` and on stderr; a
 /// restart begins anew. All calls are for the thread that made it, and none waits for a frame but the
 /// destructor.
 class Simulation {
@@ -50,7 +50,7 @@ class Simulation {
     /// Begins a new run; commands that still wait are dropped.
     void restart(SceneRequest request);
     /// Does something to the scene, and to its dry twin, before the next frame; commands keep their order.
-    /// What they throw stands in the snapshots' `notice`, and the scene goes on.
+    /// What they throw stands in the frame states' `notice`, and the scene goes on.
     void post(Command command);
     /// Where the mouse is and what it does, until told otherwise.
     void setPointer(const Pointer& pointer);
@@ -67,14 +67,14 @@ class Simulation {
 
     /// Shows the sheets in this way from now on.
     void setView(View view);
-    /// Writes the scene as it is after the frame under way into a scene file; the snapshots' `notice` says
+    /// Writes the scene as it is after the frame under way into a scene file; the frame states' `notice` says
     /// how that went.
     void save(const std::filesystem::path& file);
     /// How long the window has taken to draw a picture, s, for scenes that report it.
     void noteDrawTime(double seconds);
 
-    /// The newest snapshot; none before the first scene is made.
-    std::shared_ptr<const Snapshot> latest() const;
+    /// The newest frame state; none before the first scene is made.
+    std::shared_ptr<const FrameState> latest() const;
     /// Whether each frame from now on is kept for a film; the simulation then waits for whoever takes them.
     void setFilmed(bool filmed);
     /// Hands over the frames to be drawn since the last call, oldest first.
@@ -114,7 +114,7 @@ class Simulation {
     int steps_ = 0;            // to make in spite of a pause
     double speed_ = 1;
     FrameClock clock_;
-    std::shared_ptr<const Snapshot> latest_;
+    std::shared_ptr<const FrameState> latest_;
     std::deque<Keepsake> keepsakes_;
 
     // Of the thread alone.

@@ -2,7 +2,7 @@
 
 namespace drench::demo {
 
-void DescribedScene::adorn(viewer::Picture& picture) const {
+void DescribedScene::annotate(viewer::Picture& picture) const {
     if (!title_.empty()) picture.caption.push_back(title_);
 }
 

@@ -15,7 +15,7 @@ class DescribedScene final : public StagedScene {
         : StagedScene(fitted(description, options), {60, 120}), title_(description.text) {}
 
   private:
-    void adorn(viewer::Picture& picture) const override;
+    void annotate(viewer::Picture& picture) const override;
     std::vector<Column> reportColumns() const override;
     std::vector<double> reportRow() const override;
 

@@ -6,6 +6,7 @@
 #include <random>
 #include <sstream>
 
+#include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "world/angles.h"
 #include "world/cloth_disc.h"
@@ -14,7 +15,7 @@ namespace drench::demo {
 
 namespace {
 
-constexpr double discRadius = 0.15;       // m
+constexpr double clothRadius = 0.15;      // m
 constexpr double pedestalRadius = 0.09;   // m
 constexpr double pedestalHeight = 0.12;   // m
 constexpr double axes[] = {-0.18, 0.18};  // m, x of the pedestals'
@@ -26,8 +27,8 @@ constexpr int stillFrames = 15;           // in a row
 
 // How silhouettes are looked at.
 constexpr int pixels = 1024;
-constexpr double reach = 1.05 * discRadius;
-constexpr int directions = 720;
+constexpr double pictureReach = 1.05 * clothRadius;
+constexpr int directionsRound = 720;
 constexpr double prominence = 3e-3;  // m, that a fold stands out
 constexpr int highestOrder = 12;
 
@@ -95,7 +96,7 @@ DrapeMeter::DrapeMeter(const SceneOptions& options)
 
 void DrapeMeter::addDisc(const std::string& name, double shareOfSaturation, const Fabric& fabric,
                          const SceneDescription& scene, int nodesAcross) {
-    const DiscMesh mesh = discMesh(discRadius, nodesAcross, pedestalRadius);
+    const DiscMesh mesh = discMesh(clothRadius, nodesAcross, pedestalRadius);
     const btVector3 centre(btScalar(axes[discs_.size()]), btScalar(pedestalHeight), 0);
     SheetSettings settings;
     settings.materialCoordinates = mesh.nodes;
@@ -126,14 +127,14 @@ void DrapeMeter::measure() {
 }
 
 Silhouette DrapeMeter::silhouette(std::size_t disc) const {
-    return Silhouette(discs_[disc]->body(), {axes[disc], 0}, reach, pixels);
+    return Silhouette(discs_[disc]->body(), {axes[disc], 0}, pictureReach, pixels);
 }
 
 DrapeMeter::Drape DrapeMeter::drape(std::size_t disc) const {
     const Silhouette shadow = silhouette(disc);
-    const std::vector<double> radii = shadow.radii(directions);
+    const std::vector<double> radii = shadow.radii(directionsRound);
     Drape drape;
-    drape.coefficient = 100 * (shadow.area() - pi * pedestalRadius * pedestalRadius) / ringArea(discRadius);
+    drape.coefficient = 100 * (shadow.area() - pi * pedestalRadius * pedestalRadius) / ringArea(clothRadius);
     drape.nodes = countLobes(radii, prominence);
     drape.dominantOrder = drench::demo::dominantOrder(radii, highestOrder);
     drape.nearest = *std::min_element(radii.begin(), radii.end());
@@ -156,7 +157,7 @@ std::string DrapeMeter::status() const {
     return text.str();
 }
 
-void DrapeMeter::adorn(viewer::Picture& picture) const {
+void DrapeMeter::annotate(viewer::Picture& picture) const {
     for (const double x : axes) showPedestal(picture, float(x));
     const Drape left = dry(), right = wet();
     std::ostringstream text;
@@ -176,7 +177,7 @@ std::vector<Drawing> DrapeMeter::drawings() const {
     std::vector<Drawing> list;
     for (std::size_t disc = 0; disc < discs_.size(); ++disc)
         list.push_back(
-            {"silhouette-" + discs_[disc]->name(), silhouette(disc).image({pedestalRadius, discRadius})});
+            {"silhouette-" + discs_[disc]->name(), silhouette(disc).image({pedestalRadius, clothRadius})});
     return list;
 }
 
@@ -228,6 +229,10 @@ void DrapeMeter::checkTropical(std::vector<std::string>& list) const {
                        " % where 50.7 % was measured");
     if (std::abs(drape.nodes - nodes) > nodeTolerance)
         list.push_back("the dry disc has " + std::to_string(drape.nodes) + " nodes where 5 were measured");
+}
+
+std::unique_ptr<Scene> makeDrapeMeter(const SceneOptions& options) {
+    return std::make_unique<DrapeMeter>(options);
 }
 
 }  // namespace drench::demo

@@ -40,7 +40,7 @@ class DrapeMeter final : public StagedScene {
                  const SceneDescription& scene, int nodesAcross);
     void measure() override;
     std::string remarks() const override;
-    void adorn(viewer::Picture& picture) const override;
+    void annotate(viewer::Picture& picture) const override;
     void check(std::vector<std::string>& list) const override;
     void checkTropical(std::vector<std::string>& list) const;
 

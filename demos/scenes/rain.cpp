@@ -1,195 +1,209 @@
-#include "scenes/rain.h"
-
+// A sheet hangs half under a roof while it rains.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <string>
+#include <vector>
 
+#include "scenes/makers.h"
 #include "scenes/scene_texts.h"
+#include "stage/staged_scene.h"
 #include "world/angles.h"
 
 namespace drench::demo {
 
 namespace {
 
-constexpr double slack = 0.985;     // distance of the posts over the sheet's side
-constexpr double bowDepth = 0.05;   // m, of the sheet at the start
-constexpr double settlingTime = 2;  // s
-constexpr double clearOfEdge =
-    0.02;  // m under the roof from where on the sheet should be dry, beside two cells
-constexpr double dropMass = 4.2e-6;  // kg, of the rain
-constexpr int framesPerRow = 300;
+/// A sheet, 1.2 m square, hangs level between four posts, held at its corners and at the middle of two sides,
+/// and sags like an awning. A roof covers the half of it at x < 0. First it comes to rest, then rain falls
+/// for the rest of the time. The air is sealed off, so that all water in the sheltered half came out of the
+/// rain.
+class HalfUnderRoof final : public StagedScene {
+    static constexpr double slack = 0.985;     // distance of the posts over the sheet's side
+    static constexpr double bowDepth = 0.05;   // m, of the sheet at the start
+    static constexpr double settlingTime = 2;  // s
+    static constexpr double clearOfEdge =
+        0.02;  // m under the roof from where on the sheet should be dry, beside two cells
+    static constexpr double dropMass = 4.2e-6;  // kg, of the rain
+    static constexpr int framesPerRow = 300;
 
-/// Area on level ground of the part of a triangle that lies at x > 0, m2.
-double areaInTheOpen(const std::array<btVector3, 3>& triangle) {
-    std::vector<btVector3> kept;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const btVector3 &from = triangle[i], &to = triangle[(i + 1) % 3];
-        if (from.x() > 0) kept.push_back(from);
-        if ((from.x() > 0) != (to.x() > 0)) kept.push_back(from.lerp(to, from.x() / (from.x() - to.x())));
+  public:
+    explicit HalfUnderRoof(const SceneOptions& options)
+        : StagedScene(described(options), {framesPerRow, framesPerRow}),
+          intensity_(stage().weather().rain),
+          height_(cloth().madeFrom().corner.y()) {
+        stage().weather().rain = 0;
+        hang();
     }
-    double doubled = 0;
-    for (std::size_t i = 1; i + 1 < kept.size(); ++i)
-        doubled += double((kept[i] - kept[0]).cross(kept[i + 1] - kept[0]).y());
-    return std::abs(doubled) / 2;
-}
 
-/// Held at the middles of two sides, too. An even number of nodes, so that the edge of the roof is midway between two
-/// rows of them.
-SceneDescription described(const SceneOptions& options) {
-    SceneDescription scene = fitted(sceneFile("rain"), options);
-    SheetDescription& sheet = scene.sheets.front();
-    const int nodes = (sheet.nodes[0] + 1) / 2 * 2;
-    sheet.nodes = {nodes, nodes};
-    for (const int weft : {0, -1})
-        for (const int warp : {nodes / 2 - 1, nodes / 2}) sheet.pins.push_back({warp, weft});
-    return scene;
-}
+    std::string status() const override {
+        return (rainTime() > 0 ? "rains, " : "comes to rest, ") + timeText(1);
+    }
+
+    std::vector<Column> columns() const override {
+        return {{"open_saturation", 4}, {"sheltered_saturation", 5}, {"sag_m", 4}};
+    }
+
+    std::vector<double> row() const override {
+        return {saturationBetween(0.5, 1), saturationBetween(0, 0.5), sag()};
+    }
+
+  private:
+    /// Area on level ground of the part of a triangle that lies at x > 0, m2.
+    static double areaInTheOpen(const std::array<btVector3, 3>& triangle) {
+        std::vector<btVector3> kept;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const btVector3 &from = triangle[i], &to = triangle[(i + 1) % 3];
+            if (from.x() > 0) kept.push_back(from);
+            if ((from.x() > 0) != (to.x() > 0)) kept.push_back(from.lerp(to, from.x() / (from.x() - to.x())));
+        }
+        double doubled = 0;
+        for (std::size_t i = 1; i + 1 < kept.size(); ++i)
+            doubled += double((kept[i] - kept[0]).cross(kept[i + 1] - kept[0]).y());
+        return std::abs(doubled) / 2;
+    }
+
+    /// Held at the middles of two sides, too. An even number of nodes, so that the edge of the roof is midway between two
+    /// rows of them.
+    static SceneDescription described(const SceneOptions& options) {
+        SceneDescription scene = fitted(sceneFile("rain"), options);
+        SheetDescription& sheet = scene.sheets.front();
+        const int nodes = (sheet.nodes[0] + 1) / 2 * 2;
+        sheet.nodes = {nodes, nodes};
+        for (const int weft : {0, -1})
+            for (const int warp : {nodes / 2 - 1, nodes / 2}) sheet.pins.push_back({warp, weft});
+        return scene;
+    }
+
+    /// Cut flat, then hung slack between posts that stand a little closer than the sheet is wide.
+    void hang() {
+        const double side = cloth().madeFrom().warp.norm();
+        for (int j = 0; j < cloth().nodesWeft(); ++j)
+            for (int i = 0; i < cloth().nodesWarp(); ++i) {
+                const btVector3 flat = cloth().node(i, j).m_x;
+                const double bow =
+                    std::cos(pi * double(flat.x()) / side) * std::cos(pi * double(flat.z()) / side);
+                cloth().place(i, j,
+                              {btScalar(slack) * flat.x(), btScalar(height_ - bowDepth * bow),
+                               btScalar(slack) * flat.z()});
+            }
+    }
+
+    /// Of the part of the sheet beside the roof, as the rain sees it, m2.
+    double openGround() const {
+        double area = 0;
+        const btSoftBody& body = cloth().body();
+        for (int f = 0; f < body.m_faces.size(); ++f) {
+            const auto& corners = body.m_faces[f].m_n;
+            area += areaInTheOpen({corners[0]->m_x, corners[1]->m_x, corners[2]->m_x});
+        }
+        return area;
+    }
+
+    double rainTime() const { return std::max(0.0, time() - settlingTime); }
+
+    /// Of the columns of nodes from one share of the sheet's width to another.
+    double saturationBetween(double from, double to) const {
+        const Moisture& moisture = cloth().wet().moisture();
+        const int nodes = cloth().nodesWarp();
+        double held = 0, capacity = 0;
+        for (std::size_t n = 0; n < moisture.size(); ++n) {
+            const double share = (double(int(n) % nodes) + 0.5) / nodes;
+            if (share < from || share >= to) continue;
+            held += moisture.poreMass()[n];
+            capacity += moisture.poreCapacity(n);
+        }
+        return held / capacity;
+    }
+
+    /// Share of all water that is under the roof, clear of its edge.
+    double shareDeepInShelter() const {
+        const Moisture& moisture = cloth().wet().moisture();
+        double deep = 0;
+        for (std::size_t n = 0; n < moisture.size(); ++n)
+            if (double(cloth().body().m_nodes[int(n)].m_x.x()) < -clear())
+                deep += moisture.poreMass()[n] + moisture.filmMass()[n];
+        const double all = cloth().wet().waterMass();
+        return all > 0 ? deep / all : 0;
+    }
+
+    double clear() const {
+        return clearOfEdge + 2 * cloth().madeFrom().warp.norm() / (cloth().nodesWarp() - 1);
+    }
+
+    double sag() const { return height_ - std::min(height_, cloth().lowest()); }
+
+    double brought() const { return broughtBy("rain", cloth().wet()); }
+
+    void script() override {
+        const bool rains = time() >= settlingTime - frameTime / 2;
+        if (rains && openAreaTime_ == 0) stage().weather().rain = intensity_;
+        if (!rains) return;
+        const double open = openGround() * frameTime;
+        openAreaTime_ += open;
+        expected_ += stage().weather().rain / 3600 * open;
+    }
+
+    void annotate(viewer::Picture& picture) const override {
+        std::ostringstream text;
+        text << std::fixed << std::setprecision(1) << "rain, " << stage().weather().rain << " mm/h, for "
+             << rainTime() << " s; saturation in the open " << std::setprecision(2)
+             << saturationBetween(0.5, 1) << ", under the roof " << saturationBetween(0, 0.5);
+        picture.caption.push_back(text.str());
+    }
+
+    std::vector<Column> reportColumns() const override {
+        return {{"rain_s", 1},          {"brought_kg_m2", 4},        {"intensity_mm_h", 2}, {"set_mm_h", 1},
+                {"open_saturation", 4}, {"sheltered_saturation", 5}, {"deep_share_%", 4},   {"dripped_g", 2},
+                {"on_ground_g", 2},     {"in_the_air", 0},           {"sag_m", 4}};
+    }
+
+    std::vector<double> reportRow() const override {
+        const double meanOpen = openAreaTime_ / rainTime();
+        return {rainTime(),
+                brought() / meanOpen,
+                3600 * brought() / openAreaTime_,
+                stage().weather().rain,
+                saturationBetween(0.5, 1),
+                saturationBetween(0, 0.5),
+                100 * shareDeepInShelter(),
+                1e3 * cloth().wet().ledger().dripped,
+                1e3 * stage().drops()->massElsewhere(),
+                double(stage().drops()->inFlight().size()),
+                sag()};
+    }
+
+    std::string remarks() const override {
+        return "The air is sealed off. deep_share is the water under the roof more than " +
+               std::to_string(std::lround(1e3 * clear())) + " mm from its edge, of all.\n";
+    }
+
+    void check(std::vector<std::string>& list) const override {
+        // Single drops scatter by more than 5 % only in a shower of a second or less.
+        const double tolerance = std::max(0.05 * expected_, 4 * std::sqrt(expected_ * dropMass));
+        if (std::abs(brought() - expected_) > tolerance)
+            list.push_back("the rain brought " + std::to_string(brought()) + " kg instead of " +
+                           std::to_string(expected_) + " kg");
+        if (!(shareDeepInShelter() < 0.01))
+            list.push_back(std::to_string(100 * shareDeepInShelter()) +
+                           " % of the water is under the roof, far from its edge");
+        const double fromElsewhere = cloth().wet().ledger().supplied - brought();
+        if (std::abs(fromElsewhere) > 1e-9)
+            list.push_back("something besides the rain brought " + std::to_string(fromElsewhere) + " kg");
+    }
+
+    double intensity_;         // mm/h, that it begins with
+    double height_;            // m, at which the sheet is held
+    double openAreaTime_ = 0;  // m2 s of open ground since the rain began
+    double expected_ = 0;      // kg, on that ground by the intensity of the rain
+};
 
 }  // namespace
 
-HalfUnderRoof::HalfUnderRoof(const SceneOptions& options)
-    : StagedScene(described(options), {framesPerRow, framesPerRow}),
-      intensity_(stage().weather().rain),
-      height_(cloth().madeFrom().corner.y()) {
-    stage().weather().rain = 0;
-    hang();
-}
-
-/// Cut flat, then hung slack between posts that stand a little closer than the sheet is wide.
-void HalfUnderRoof::hang() {
-    const double side = cloth().madeFrom().warp.norm();
-    for (int j = 0; j < cloth().nodesWeft(); ++j)
-        for (int i = 0; i < cloth().nodesWarp(); ++i) {
-            const btVector3 flat = cloth().node(i, j).m_x;
-            const double bow =
-                std::cos(pi * double(flat.x()) / side) * std::cos(pi * double(flat.z()) / side);
-            cloth().place(
-                i, j,
-                {btScalar(slack) * flat.x(), btScalar(height_ - bowDepth * bow), btScalar(slack) * flat.z()});
-        }
-}
-
-void HalfUnderRoof::direct() {
-    const bool rains = time() >= settlingTime - frameTime / 2;
-    if (rains && openAreaTime_ == 0) stage().weather().rain = intensity_;
-    if (!rains) return;
-    const double open = openGround() * frameTime;
-    openAreaTime_ += open;
-    expected_ += stage().weather().rain / 3600 * open;
-}
-
-double HalfUnderRoof::brought() const {
-    return broughtBy("rain", cloth().wet());
-}
-
-/// Of the part of the sheet beside the roof, as the rain sees it, m2.
-double HalfUnderRoof::openGround() const {
-    double area = 0;
-    const btSoftBody& body = cloth().body();
-    for (int f = 0; f < body.m_faces.size(); ++f) {
-        const auto& corners = body.m_faces[f].m_n;
-        area += areaInTheOpen({corners[0]->m_x, corners[1]->m_x, corners[2]->m_x});
-    }
-    return area;
-}
-
-double HalfUnderRoof::rainTime() const {
-    return std::max(0.0, time() - settlingTime);
-}
-
-/// Of the columns of nodes from one share of the sheet's width to another.
-double HalfUnderRoof::saturationBetween(double from, double to) const {
-    const Moisture& moisture = cloth().wet().moisture();
-    const int nodes = cloth().nodesWarp();
-    double held = 0, capacity = 0;
-    for (std::size_t n = 0; n < moisture.size(); ++n) {
-        const double share = (double(int(n) % nodes) + 0.5) / nodes;
-        if (share < from || share >= to) continue;
-        held += moisture.poreMass()[n];
-        capacity += moisture.poreCapacity(n);
-    }
-    return held / capacity;
-}
-
-double HalfUnderRoof::clear() const {
-    return clearOfEdge + 2 * cloth().madeFrom().warp.norm() / (cloth().nodesWarp() - 1);
-}
-
-/// Share of all water that is under the roof, clear of its edge.
-double HalfUnderRoof::shareDeepInShelter() const {
-    const Moisture& moisture = cloth().wet().moisture();
-    double deep = 0;
-    for (std::size_t n = 0; n < moisture.size(); ++n)
-        if (double(cloth().body().m_nodes[int(n)].m_x.x()) < -clear())
-            deep += moisture.poreMass()[n] + moisture.filmMass()[n];
-    const double all = cloth().wet().waterMass();
-    return all > 0 ? deep / all : 0;
-}
-
-double HalfUnderRoof::sag() const {
-    return height_ - std::min(height_, cloth().lowest());
-}
-
-std::vector<Column> HalfUnderRoof::columns() const {
-    return {{"open_saturation", 4}, {"sheltered_saturation", 5}, {"sag_m", 4}};
-}
-
-std::vector<double> HalfUnderRoof::row() const {
-    return {saturationBetween(0.5, 1), saturationBetween(0, 0.5), sag()};
-}
-
-std::vector<Column> HalfUnderRoof::reportColumns() const {
-    return {{"rain_s", 1},          {"brought_kg_m2", 4},        {"intensity_mm_h", 2}, {"set_mm_h", 1},
-            {"open_saturation", 4}, {"sheltered_saturation", 5}, {"deep_share_%", 4},   {"dripped_g", 2},
-            {"on_ground_g", 2},     {"in_the_air", 0},           {"sag_m", 4}};
-}
-
-std::vector<double> HalfUnderRoof::reportRow() const {
-    const double meanOpen = openAreaTime_ / rainTime();
-    return {rainTime(),
-            brought() / meanOpen,
-            3600 * brought() / openAreaTime_,
-            stage().weather().rain,
-            saturationBetween(0.5, 1),
-            saturationBetween(0, 0.5),
-            100 * shareDeepInShelter(),
-            1e3 * cloth().wet().ledger().dripped,
-            1e3 * stage().drops()->massElsewhere(),
-            double(stage().drops()->inFlight().size()),
-            sag()};
-}
-
-std::string HalfUnderRoof::status() const {
-    return (rainTime() > 0 ? "rains, " : "comes to rest, ") + timeText(1);
-}
-
-void HalfUnderRoof::adorn(viewer::Picture& picture) const {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << "rain, " << stage().weather().rain << " mm/h, for "
-         << rainTime() << " s; saturation in the open " << std::setprecision(2) << saturationBetween(0.5, 1)
-         << ", under the roof " << saturationBetween(0, 0.5);
-    picture.caption.push_back(text.str());
-}
-
-std::string HalfUnderRoof::remarks() const {
-    return "The air is sealed off. deep_share is the water under the roof more than " +
-           std::to_string(std::lround(1e3 * clear())) + " mm from its edge, of all.\n";
-}
-
-void HalfUnderRoof::check(std::vector<std::string>& list) const {
-    // Single drops scatter by more than 5 % only in a shower of a second or less.
-    const double tolerance = std::max(0.05 * expected_, 4 * std::sqrt(expected_ * dropMass));
-    if (std::abs(brought() - expected_) > tolerance)
-        list.push_back("the rain brought " + std::to_string(brought()) + " kg instead of " +
-                       std::to_string(expected_) + " kg");
-    if (!(shareDeepInShelter() < 0.01))
-        list.push_back(std::to_string(100 * shareDeepInShelter()) +
-                       " % of the water is under the roof, far from its edge");
-    const double fromElsewhere = cloth().wet().ledger().supplied - brought();
-    if (std::abs(fromElsewhere) > 1e-9)
-        list.push_back("something besides the rain brought " + std::to_string(fromElsewhere) + " kg");
+std::unique_ptr<Scene> makeHalfUnderRoof(const SceneOptions& options) {
+    return std::make_unique<HalfUnderRoof>(options);
 }
 
 }  // namespace drench::demo

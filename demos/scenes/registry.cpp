@@ -2,57 +2,37 @@
 
 #include <stdexcept>
 
-#include "scenes/cling.h"
-#include "scenes/clothesline.h"
 #include "scenes/described_scene.h"
-#include "scenes/drape.h"
-#include "scenes/drape_meter.h"
-#include "scenes/flag.h"
-#include "scenes/pool.h"
-#include "scenes/rain.h"
-#include "scenes/slide.h"
-#include "scenes/spill.h"
-#include "scenes/stock_and_drench.h"
-#include "scenes/ten_steps.h"
-#include "scenes/wick.h"
+#include "scenes/makers.h"
 
 namespace drench::demo {
-
-namespace {
-
-template <typename Kind>
-std::unique_ptr<Scene> make(const SceneOptions& options) {
-    return std::make_unique<Kind>(options);
-}
-
-}  // namespace
 
 const std::vector<SceneEntry>& scenes() {
     static const std::vector<SceneEntry> all = {
         {"ten-steps",
          "a hanging sheet takes up water in ten steps up to saturation; each is measured in still air and "
          "wind",
-         true, make<TenSteps>},
-        {"rain", "a sheet half under a roof while it rains", false, make<HalfUnderRoof>},
-        {"spill", "water poured on the middle of a tablecloth spreads", false, make<Spill>},
-        {"flag", "a dry and a wet flag in the same wind", false, make<Flag>},
-        {"pool", "a sheet is dipped into a tank of water, lifted out, and drips", false, make<Dip>},
-        {"slide", "a dry, a damp and a soaked sheet on smooth slopes of 20 degrees", false, make<Slide>,
+         true, makeTenSteps},
+        {"rain", "a sheet half under a roof while it rains", false, makeHalfUnderRoof},
+        {"spill", "water poured on the middle of a tablecloth spreads", false, makeSpill},
+        {"flag", "a dry and a wet flag in the same wind", false, makeFlag},
+        {"pool", "a sheet is dipped into a tank of water, lifted out, and drips", false, makeDip},
+        {"slide", "a dry, a damp and a soaked sheet on smooth slopes of 20 degrees", false, makeSlide,
          "polyester"},
-        {"cling", "a wet and a dry sheet on turning balls", false, make<Cling>},
-        {"drape", "a wet and a dry sheet fall on a ball each", true, make<Drape>},
+        {"cling", "a wet and a dry sheet on turning balls", false, makeCling},
+        {"drape", "a wet and a dry sheet fall on a ball each", true, makeDrape},
         {"drape-meter",
          "a disc of cloth, dry and wet, hangs over a pedestal (Cusick); prints drape coefficient and nodes",
-         false, make<DrapeMeter>},
+         false, makeDrapeMeter},
         {"wick",
          "a strip with its foot in water; prints height against time and the fitted Washburn coefficient",
-         false, make<Wick>},
+         false, makeWick},
         {"stock-and-drench",
          "a sheet hung by two corners: stock Bullet, Drench dry and wet, each in one substep a frame", false,
-         make<StockAndDrench>},
+         makeStockAndDrench},
         {"clothesline",
          "soaked laundry drips, then dries in time-lapse; CSV of mass, film, pores, dripped, evaporated",
-         false, make<Clothesline>},
+         false, makeClothesline},
     };
     return all;
 }

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "stage/staged_scene.h"
 #include "world/angles.h"
@@ -370,6 +371,10 @@ std::vector<std::string> TenSteps::failures() const {
                            " g");
     }
     return list;
+}
+
+std::unique_ptr<Scene> makeTenSteps(const SceneOptions& options) {
+    return std::make_unique<TenSteps>(options);
 }
 
 }  // namespace drench::demo

@@ -47,7 +47,7 @@ std::vector<float> strains(const btSoftBody& body) {
 }
 
 /// Content of full pores, at most, kg/kg.
-float thirstiest(const std::vector<const WetCloth*>& cloths) {
+float mostAbsorbent(const std::vector<const WetCloth*>& cloths) {
     double most = 0;
     for (const WetCloth* const cloth : cloths)
         most = std::max(most, cloth->fabric().poreCapacity() / cloth->fabric().arealDensity);
@@ -109,7 +109,7 @@ std::optional<viewer::Legend> legend(View view, const std::vector<const WetCloth
         case View::beauty:
             return std::nullopt;
         case View::content:
-            return viewer::Legend{"water content, kg/kg", 0, thirstiest(cloths)};
+            return viewer::Legend{"water content, kg/kg", 0, mostAbsorbent(cloths)};
         case View::film:
             return viewer::Legend{"film on a face, µm", 0, 200};
         case View::strain:

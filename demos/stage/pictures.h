@@ -25,7 +25,7 @@ viewer::SheetMesh sheetMesh(const btSoftBody& body, const WetCloth& cloth, View 
 /// What each node has of the quantity of a view; empty for `View::beauty`.
 std::vector<float> values(const btSoftBody& body, const WetCloth& cloth, View view);
 
-/// What the colours of a view of these cloths mean: from 0 to the content of full pores of the thirstiest fabric, 200
+/// What the colours of a view of these cloths mean: from 0 to the content of full pores of the most absorbent fabric, 200
 /// micrometres, or 5 %. None for `View::beauty`.
 std::optional<viewer::Legend> legend(View view, const std::vector<const WetCloth*>& cloths);
 

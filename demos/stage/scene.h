@@ -23,7 +23,7 @@ struct SceneOptions {
     std::string fabric = "cotton";  ///< as for `fabricDescription`; empty: the scene's own
     int resolution = 0;             ///< nodes along the warp of each sheet; 0: the scene's own
     double seconds = 0;             ///< simulated time after which it ends; 0: the scene's own
-    unsigned seed = 1;              ///< of whatever the scene draws by lot
+    unsigned seed = 1;              ///< of whatever is random in the scene
     WorldKind world = WorldKind::softRigid;
     SolverKind solver = SolverKind::smallStep;  ///< in the soft-rigid world
     std::optional<int> smallSteps;  ///< of a frame, 0: as many as the cloth needs; none: the scene's own

@@ -13,10 +13,9 @@ namespace drench::demo {
 namespace {
 
 std::unique_ptr<btSoftBody> flatBody(SceneWorld& world, const SheetDescription& sheet, const Fabric& fabric) {
-    return makeSheet(
-        world.worldInfo(), fabric,
-        flatCorners(bulletVector(sheet.corner), bulletVector(sheet.warp), bulletVector(sheet.weft)),
-        sheet.nodes[0], sheet.nodes[1]);
+    return makeSheet(world.worldInfo(), fabric,
+                     flatCorners(toBullet(sheet.corner), toBullet(sheet.warp), toBullet(sheet.weft)),
+                     sheet.nodes[0], sheet.nodes[1]);
 }
 
 SheetSettings settingsOf(const SheetDescription& sheet) {
@@ -26,7 +25,7 @@ SheetSettings settingsOf(const SheetDescription& sheet) {
 }
 
 btVector3 normalOf(const SheetDescription& sheet) {
-    return bulletVector(sheet.weft.cross(sheet.warp).normalized());
+    return toBullet(sheet.weft.cross(sheet.warp).normalized());
 }
 
 void checkSize(const char* what, std::size_t size, int nodes) {
@@ -102,7 +101,7 @@ void SceneCloth::takeUpSlack() {
     const double width = description_.warp.norm(),
                  span = width * (1 - description_.slack) / description_.waves;
     const double depth = 2 / pi * span * std::sqrt(description_.slack);
-    const btVector3 along = bulletVector(description_.warp.normalized()), normal = normalOf(description_);
+    const btVector3 along = toBullet(description_.warp.normalized()), normal = normalOf(description_);
     for (int j = 0; j < nodesWeft(); ++j)
         for (int i = 0; i < nodesWarp(); ++i) {
             const double share = double(i) / (nodesWarp() - 1);
@@ -122,8 +121,8 @@ void SceneCloth::restore(const SheetState& state) {
     for (int n = 0; n < nodes; ++n) {
         const auto at = std::size_t(n);
         btSoftBody::Node& node = body_->m_nodes[n];
-        node.m_x = node.m_q = bulletVector(state.positions[at]);
-        node.m_v = bulletVector(state.velocities[at]);
+        node.m_x = node.m_q = toBullet(state.positions[at]);
+        node.m_v = toBullet(state.velocities[at]);
         if (state.pores[at] > 0) supply.addPores(at, state.pores[at]);
         if (state.film[at] > 0) supply.addFilm(at, state.film[at]);
     }
@@ -137,8 +136,8 @@ SheetDescription SceneCloth::describe() const {
     now.waterSpeed = waterSpeed();
     SheetState& state = now.state.emplace();
     for (int n = 0; n < body_->m_nodes.size(); ++n) {
-        state.positions.push_back(plainVector(body_->m_nodes[n].m_x));
-        state.velocities.push_back(plainVector(body_->m_nodes[n].m_v));
+        state.positions.push_back(toEigen(body_->m_nodes[n].m_x));
+        state.velocities.push_back(toEigen(body_->m_nodes[n].m_v));
     }
     state.pores = wet_->moisture().poreMass();
     state.film = wet_->moisture().filmMass();

@@ -7,11 +7,11 @@ namespace drench::demo {
 namespace {
 
 btRigidBody& addTo(SceneWorld& world, const SolidDescription& solid) {
-    const btVector3 place = bulletVector(solid.position);
-    const btQuaternion turn = bulletTurn(solid.turn);
+    const btVector3 place = toBullet(solid.position);
+    const btQuaternion turn = toBullet(solid.turn);
     switch (solid.shape) {
         case SolidDescription::Shape::box:
-            return world.addBox(place, bulletVector(solid.halfExtents), turn, solid.mass);
+            return world.addBox(place, toBullet(solid.halfExtents), turn, solid.mass);
         case SolidDescription::Shape::capsule:
             return world.addCapsule(place, solid.radius, solid.length, turn, solid.mass);
         case SolidDescription::Shape::ground:
@@ -39,23 +39,23 @@ StageSolid::StageSolid(SceneWorld& world, const SolidDescription& description) :
     if (!(description_.mass > 0) || description_.shape == SolidDescription::Shape::ground) return;
     if (description_.shape == SolidDescription::Shape::ball) {
         btTransform place = body_->getWorldTransform();
-        place.setRotation(bulletTurn(description_.turn));
+        place.setRotation(toBullet(description_.turn));
         body_->setWorldTransform(place);
         body_->setInterpolationWorldTransform(place);
         body_->updateInertiaTensor();
     }
-    body_->setLinearVelocity(bulletVector(description_.velocity));
-    body_->setAngularVelocity(bulletVector(description_.spin));
+    body_->setLinearVelocity(toBullet(description_.velocity));
+    body_->setAngularVelocity(toBullet(description_.spin));
     body_->setActivationState(DISABLE_DEACTIVATION);
 }
 
 SolidDescription StageSolid::describe() const {
     SolidDescription now = description_;
     if (!body_ || now.shape == SolidDescription::Shape::ground) return now;
-    now.position = plainVector(body_->getWorldTransform().getOrigin());
-    now.turn = plainTurn(body_->getWorldTransform().getRotation());
-    now.velocity = plainVector(body_->getLinearVelocity());
-    now.spin = plainVector(body_->getAngularVelocity());
+    now.position = toEigen(body_->getWorldTransform().getOrigin());
+    now.turn = toEigen(body_->getWorldTransform().getRotation());
+    now.velocity = toEigen(body_->getLinearVelocity());
+    now.spin = toEigen(body_->getAngularVelocity());
     return now;
 }
 

@@ -43,16 +43,16 @@ StageWeather::StageWeather(const Weather& weather, unsigned randomSeed, double t
 
 /// Makes gusts only where the weather has changed, as new ones jump.
 void StageWeather::renewGusts() {
-    const Gale wanted{windOf(weather_), weather_.gusts, weather_.gustLength};
+    const GustState wanted{windOf(weather_), weather_.gusts, weather_.gustLength};
     if (!(wanted.intensity > 0) || wanted.mean.isZero()) {
         gusts_.reset();
         return;
     }
-    if (gusts_ && wanted.mean == gale_.mean && wanted.intensity == gale_.intensity &&
-        wanted.length == gale_.length)
+    if (gusts_ && wanted.mean == gustState_.mean && wanted.intensity == gustState_.intensity &&
+        wanted.length == gustState_.length)
         return;
-    gale_ = wanted;
-    gusts_ = std::make_shared<Gusts>(gale_.mean, gale_.intensity, gale_.length, seed_);
+    gustState_ = wanted;
+    gusts_ = std::make_shared<Gusts>(gustState_.mean, gustState_.intensity, gustState_.length, seed_);
     if (time_ > 0) gusts_ = std::make_shared<LaterWind>(gusts_, time_);
 }
 

@@ -32,7 +32,7 @@ class StageWeather {
 
   private:
     /// What gusts are made from.
-    struct Gale {
+    struct GustState {
         Eigen::Vector3d mean;
         double intensity;
         double length;
@@ -45,7 +45,7 @@ class StageWeather {
     unsigned seed_;
     double time_;
     bool water_;
-    Gale gale_{{0, 0, 0}, 0, 0};
+    GustState gustState_{{0, 0, 0}, 0, 0};
     std::shared_ptr<const WindField> gusts_;
     std::map<const SceneCloth*, Rain*> rains_;
 };

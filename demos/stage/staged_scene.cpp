@@ -45,7 +45,7 @@ StagedScene::StagedScene(const SceneDescription& description, const Pace& pace)
       cloths_(stage_->sheets()) {}
 
 void StagedScene::advance() {
-    direct();
+    script();
     stage_->step(frameTime);
     ++frames_;
     time_ = frames_ * frameTime;  // not a sum of frames, whose rounding would add up
@@ -60,7 +60,7 @@ double StagedScene::progress() const {
 viewer::Picture StagedScene::picture(View view) const {
     viewer::Picture picture;
     stage_->show(picture, view);
-    adorn(picture);
+    annotate(picture);
     return picture;
 }
 

@@ -17,7 +17,7 @@ namespace drench::demo {
 /// @throws std::invalid_argument for a resolution other than that of a state that is part of the description
 SceneDescription fitted(SceneDescription description, const SceneOptions& options);
 
-/// A stage that runs until a set time is over. Scenes add what they direct, measure and say.
+/// A stage that runs until a set time is over. Scenes add what they script, measure and say.
 class StagedScene : public Scene {
   public:
     void advance() override;
@@ -41,10 +41,10 @@ class StagedScene : public Scene {
     StagedScene(const SceneDescription& description, const Pace& pace);
 
     /// What the scene does before each frame, and what it measures after it.
-    virtual void direct() {}
+    virtual void script() {}
     virtual void measure() {}
     /// Adds to the picture what is not on the stage, and its caption.
-    virtual void adorn(viewer::Picture&) const {}
+    virtual void annotate(viewer::Picture&) const {}
     /// Columns and rows of the report; by default those of the log, after the time.
     virtual std::vector<Column> reportColumns() const;
     virtual std::vector<double> reportRow() const;

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "viewer/gl/gl_error_count.h"
-#include "viewer/gl/layers_target.h"
 #include "viewer/gl/render_target.h"
 #include "viewer/passes/airborne_water.h"
 #include "viewer/passes/background_pass.h"
@@ -37,15 +36,11 @@ void requireOpenGl33() {
 
 void requireDrawable(const Picture& picture) {
     picture.camera.check();
-    if (!picture.towardsSun.allFinite() || !(picture.towardsSun.norm() > 1e-6f)) {
+    if (!picture.towardsSun.allFinite() || !(picture.towardsSun.norm() > 1e-6f))
         throw std::runtime_error("viewer: towardsSun must be finite and longer than 0");
-    }
-    if (!(picture.sunshine >= 0.0f && picture.sunshine <= 1.0f)) {
+    if (!(picture.sunshine >= 0.0f && picture.sunshine <= 1.0f))
         throw std::runtime_error("viewer: sunshine must be 0 to 1, not " + std::to_string(picture.sunshine));
-    }
-    if (!std::isfinite(picture.groundHeight)) {
-        throw std::runtime_error("viewer: groundHeight must be finite");
-    }
+    if (!std::isfinite(picture.groundHeight)) throw std::runtime_error("viewer: groundHeight must be finite");
 }
 
 // ImGui and the caller may have left anything behind.
@@ -68,9 +63,9 @@ bool groundIsSeen(const FrameUniforms& uniforms) {
 
 }  // namespace
 
-class Renderer::Scene {
+class Renderer::Passes {
   public:
-    Scene() = default;
+    Passes() = default;
 
     void draw(const Picture& picture, const Area& area, unsigned framebuffer);
     void drawPair(const Picture& left, const Picture& right, int width, int height, unsigned framebuffer);
@@ -101,7 +96,7 @@ class Renderer::Scene {
     Caption caption_;
 };
 
-std::vector<Eigen::Vector3f> Renderer::Scene::upload(const Picture& picture) {
+std::vector<Eigen::Vector3f> Renderer::Passes::upload(const Picture& picture) {
     std::vector<Eigen::Vector3f> casters;
     solids_.upload(picture, casters);
     sheets_.upload(picture, casters);
@@ -111,7 +106,7 @@ std::vector<Eigen::Vector3f> Renderer::Scene::upload(const Picture& picture) {
     return casters;
 }
 
-void Renderer::Scene::drawShadows(const FrameUniforms& uniforms) const {
+void Renderer::Passes::drawShadows(const FrameUniforms& uniforms) const {
     frameBlock_.bind(uniforms);
     shadow_.begin();
     // Solids first: what lies behind one of them lets no sun through, sheet or not.
@@ -120,10 +115,8 @@ void Renderer::Scene::drawShadows(const FrameUniforms& uniforms) const {
     shadow_.end();
 }
 
-void Renderer::Scene::drawWetness(const FrameUniforms& uniforms) {
-    if (patches_.empty()) {
-        return;
-    }
+void Renderer::Passes::drawWetness(const FrameUniforms& uniforms) {
+    if (patches_.empty()) return;
     frameBlock_.bind(uniforms);
     patches_.beginSolids(target_->width(), target_->height());
     solids_.drawDepth();
@@ -131,7 +124,7 @@ void Renderer::Scene::drawWetness(const FrameUniforms& uniforms) {
     patches_.drawOntoSolids();
 }
 
-void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
+void Renderer::Passes::drawScene(const FrameUniforms& uniforms) const {
     target_->bind();
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     frameBlock_.bind(uniforms);
@@ -158,7 +151,7 @@ void Renderer::Scene::drawScene(const FrameUniforms& uniforms) const {
     shadow_.unbind();
 }
 
-void Renderer::Scene::present(unsigned framebuffer, const Area& area) const {
+void Renderer::Passes::present(unsigned framebuffer, const Area& area) const {
     target_->resolve();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(area.x, area.y, area.width, area.height);
@@ -171,7 +164,7 @@ void Renderer::Scene::present(unsigned framebuffer, const Area& area) const {
     glActiveTexture(GL_TEXTURE0);
 }
 
-void Renderer::Scene::resize(int width, int height) {
+void Renderer::Passes::resize(int width, int height) {
     if (!target_ || target_->width() != width || target_->height() != height) {
         // Gives the old memory back before it asks for the new.
         target_.reset();
@@ -181,13 +174,13 @@ void Renderer::Scene::resize(int width, int height) {
     }
 }
 
-void Renderer::Scene::draw(const Picture& picture, const Area& area, unsigned framebuffer) {
+void Renderer::Passes::draw(const Picture& picture, const Area& area, unsigned framebuffer) {
     requireDrawable(picture);
     resize(area.width, area.height);
     const std::vector<Eigen::Vector3f> casters = upload(picture);
     const ShadowFit shadow = fitShadow(casters, picture.towardsSun.normalized(), shadow_.resolution());
     const FrameUniforms uniforms =
-        cameraUniforms(picture, drawableBalls(picture.balls), area.width, area.height, shadow);
+        cameraUniforms(picture, drawable(picture.balls), area.width, area.height, shadow);
 
     setPlainState();
     drawShadows(sunUniforms(uniforms, shadow));
@@ -198,8 +191,8 @@ void Renderer::Scene::draw(const Picture& picture, const Area& area, unsigned fr
     errors_.poll();
 }
 
-void Renderer::Scene::drawPair(const Picture& left, const Picture& right, int width, int height,
-                               unsigned framebuffer) {
+void Renderer::Passes::drawPair(const Picture& left, const Picture& right, int width, int height,
+                                unsigned framebuffer) {
     const AreaPair areas = sideBySide(width, height);
     draw(left, areas.left, framebuffer);
     draw(right, areas.right, framebuffer);
@@ -213,7 +206,7 @@ void Renderer::Scene::drawPair(const Picture& left, const Picture& right, int wi
 
 Renderer::Renderer() {
     requireOpenGl33();
-    scene_ = std::make_unique<Scene>();
+    passes_ = std::make_unique<Passes>();
 }
 
 Renderer::~Renderer() = default;
@@ -223,16 +216,12 @@ void Renderer::draw(const Picture& picture, int width, int height, unsigned fram
 }
 
 void Renderer::draw(const Picture& picture, const Area& area, unsigned framebuffer) {
-    if (area.width > 0 && area.height > 0) {
-        scene_->draw(picture, area, framebuffer);
-    }
+    if (area.width > 0 && area.height > 0) passes_->draw(picture, area, framebuffer);
 }
 
 void Renderer::drawPair(const Picture& left, const Picture& right, int width, int height,
                         unsigned framebuffer) {
-    if (sideBySide(width, height).left.width > 0) {
-        scene_->drawPair(left, right, width, height, framebuffer);
-    }
+    if (sideBySide(width, height).left.width > 0) passes_->drawPair(left, right, width, height, framebuffer);
 }
 
 Image Renderer::capture(const Picture& picture, int width, int height) {
@@ -248,7 +237,7 @@ Image Renderer::capturePair(const Picture& left, const Picture& right, int width
 }
 
 int Renderer::glErrors() const {
-    return scene_->glErrors();
+    return passes_->glErrors();
 }
 
 }  // namespace drench::viewer

@@ -42,8 +42,8 @@ class Renderer {
     int glErrors() const;
 
   private:
-    class Scene;
-    std::unique_ptr<Scene> scene_;
+    class Passes;
+    std::unique_ptr<Passes> passes_;
 };
 
 }  // namespace drench::viewer

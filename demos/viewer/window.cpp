@@ -63,9 +63,7 @@ void collectKey(GLFWwindow* window, int code, int, int action, int) {
     const std::optional<Key> key = meaning(code);
     // A held step key goes on stepping; nothing else repeats.
     const bool counts = action == GLFW_PRESS || (action == GLFW_REPEAT && key == Key::step);
-    if (key && counts) {
-        static_cast<std::vector<Key>*>(glfwGetWindowUserPointer(window))->push_back(*key);
-    }
+    if (key && counts) static_cast<std::vector<Key>*>(glfwGetWindowUserPointer(window))->push_back(*key);
 }
 
 // A screen of twice the usual density gets letters of twice as many pixels, not blurred ones.
@@ -86,19 +84,14 @@ void scaleInterface(GLFWwindow* window) {
 
 void followMouse(Camera& camera, bool leftOrbits) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantCaptureMouse || !(io.DisplaySize.y > 0.0f)) {
-        return;
-    }
+    if (io.WantCaptureMouse || !(io.DisplaySize.y > 0.0f)) return;
     const float right = io.MouseDelta.x / io.DisplaySize.y;
     const float down = io.MouseDelta.y / io.DisplaySize.y;
-    if (leftOrbits && io.MouseDown[ImGuiMouseButton_Left]) {
+    if (leftOrbits && io.MouseDown[ImGuiMouseButton_Left])
         orbit(camera, right, down);
-    } else if (io.MouseDown[ImGuiMouseButton_Right] || io.MouseDown[ImGuiMouseButton_Middle]) {
+    else if (io.MouseDown[ImGuiMouseButton_Right] || io.MouseDown[ImGuiMouseButton_Middle])
         pan(camera, right, down);
-    }
-    if (io.MouseWheel != 0.0f) {
-        zoom(camera, io.MouseWheel);
-    }
+    if (io.MouseWheel != 0.0f) zoom(camera, io.MouseWheel);
 }
 
 }  // namespace
@@ -137,9 +130,7 @@ class Window::Contents {
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
         keys_ = arriving_;
-        if (ImGui::GetIO().WantTextInput) {
-            keys_.clear();
-        }
+        if (ImGui::GetIO().WantTextInput) keys_.clear();
     }
 
     void moveCamera(bool leftOrbits) { followMouse(camera_, leftOrbits); }
@@ -152,9 +143,8 @@ class Window::Contents {
     std::optional<Mouse> mouse(int columns) const {
         const ImGuiIO& io = ImGui::GetIO();
         if (io.WantCaptureMouse || !hasFocus() || !(io.DisplaySize.x > 0.0f && io.DisplaySize.y > 0.0f) ||
-            !ImGui::IsMousePosValid()) {
+            !ImGui::IsMousePosValid())
             return std::nullopt;
-        }
         Mouse mouse;
         const float across = static_cast<float>(columns) * io.MousePos.x / io.DisplaySize.x;
         mouse.column = std::clamp(static_cast<int>(std::floor(across)), 0, columns - 1);

@@ -5,6 +5,7 @@
 #include "run/run_options.h"
 #include "run/runners.h"
 #include "viewer/window.h"
+#include "window/window_run.h"
 
 int main(int argc, char** argv) {
     using namespace drench::demo;

@@ -3,14 +3,13 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 
-#include "run/picture_size.h"
 #include "run/runners.h"
 #include "scenes/registry.h"
 #include "viewer/gl/image.h"
 #include "viewer/picture/picking.h"
-#include "window/panel_groups.h"
 #include "world/seconds_since.h"
 
 namespace drench::demo {
@@ -54,6 +53,24 @@ PanelState stateFor(const RunOptions& options) {
 
 }  // namespace
 
+void PictureCount::note() {
+    last_ = Clock::now();
+    if (count_++ == 0) first_ = last_;
+}
+
+void PictureCount::report(std::ostream& out) const {
+    if (count_ == 0) {
+        out << "no picture\n";
+        return;
+    }
+    const auto seconds = [](Clock::duration time) { return std::chrono::duration<double>(time).count(); };
+    out << std::fixed << std::setprecision(2) << "first picture after " << seconds(first_ - start_) << " s";
+    if (count_ > 1)
+        out << ", then " << std::setprecision(1) << (count_ - 1) / seconds(last_ - first_)
+            << " pictures a second";
+    out << '\n';
+}
+
 WindowRun::WindowRun(const RunOptions& options)
     : options_(options),
       state_(stateFor(options)),
@@ -70,13 +87,13 @@ int WindowRun::loop() {
         window_.beginFrame();
         see();
         obeyKeys();
-        if (snapshot_ && panel_.show(*snapshot_, state_, simulation_)) restart();
+        if (latest_ && panel_.show(*latest_, state_, simulation_)) restart();
         useMouse();
         draw();
         keepPictures();
         window_.endFrame();
-        if (snapshot_ && !snapshot_->picture.sheets.empty()) pictures_.note();
-        if (options_.quitAtEnd && snapshot_ && (snapshot_->ended || !snapshot_->trouble.empty()))
+        if (latest_ && !latest_->picture.sheets.empty()) pictures_.note();
+        if (options_.quitAtEnd && latest_ && (latest_->ended || !latest_->trouble.empty()))
             window_.requestClose();
     }
     endFilm();
@@ -88,13 +105,13 @@ int WindowRun::loop() {
 }
 
 void WindowRun::see() {
-    const bool wasSplit = snapshot_ && snapshot_->dryPicture;
-    snapshot_ = simulation_.latest();
-    const bool isSplit = snapshot_ && snapshot_->dryPicture;
-    const bool isNew = snapshot_ && !snapshot_->picture.sheets.empty() && snapshot_->scene != cameraOf_;
+    const bool wasSplit = latest_ && latest_->dryPicture;
+    latest_ = simulation_.latest();
+    const bool isSplit = latest_ && latest_->dryPicture;
+    const bool isNew = latest_ && !latest_->picture.sheets.empty() && latest_->scene != cameraOf_;
     if (isNew) {
-        window_.camera() = snapshot_->picture.camera;
-        cameraOf_ = snapshot_->scene;
+        window_.camera() = latest_->picture.camera;
+        cameraOf_ = latest_->scene;
     }
     stepBack(wasSplit && !isNew, isSplit);
 }
@@ -154,13 +171,13 @@ void WindowRun::restart() {
 
 /// The left button takes hold of cloth where there is some, and else of the camera.
 void WindowRun::useMouse() {
-    const bool split = snapshot_ && snapshot_->dryPicture;
+    const bool split = latest_ && latest_->dryPicture;
     const auto mouse = window_.mouse(split ? 2 : 1);
     Pointer pointer;
     pointer.tool = window_.isHeld(viewer::HeldKey::h)   ? Tool::hose
                    : window_.isHeld(viewer::HeldKey::d) ? Tool::towel
                                                         : state_.tool;
-    if (mouse && snapshot_) {
+    if (mouse && latest_) {
         if (mouse->leftWentDown) onCloth_ = meetsSheet(mouse->ray, pictureUnder(*mouse));
         if (!mouse->left) onCloth_ = false;
         pointer.pressed = mouse->left && (pointer.tool != Tool::hand || onCloth_);
@@ -175,7 +192,7 @@ void WindowRun::useMouse() {
 }
 
 const viewer::Picture& WindowRun::pictureUnder(const viewer::Mouse& mouse) const {
-    return snapshot_->dryPicture && mouse.column == 0 ? *snapshot_->dryPicture : snapshot_->picture;
+    return latest_->dryPicture && mouse.column == 0 ? *latest_->dryPicture : latest_->picture;
 }
 
 viewer::Picture WindowRun::seen(viewer::Picture picture) {
@@ -183,21 +200,21 @@ viewer::Picture WindowRun::seen(viewer::Picture picture) {
     return picture;
 }
 
-viewer::Image WindowRun::imageOf(const Snapshot& snapshot) {
-    if (snapshot.dryPicture)
-        return renderer_.capturePair(seen(*snapshot.dryPicture), seen(snapshot.picture), pictureWidth,
+viewer::Image WindowRun::imageOf(const FrameState& state) {
+    if (state.dryPicture)
+        return renderer_.capturePair(seen(*state.dryPicture), seen(state.picture), pictureWidth,
                                      pictureHeight);
-    return renderer_.capture(seen(snapshot.picture), pictureWidth, pictureHeight);
+    return renderer_.capture(seen(state.picture), pictureWidth, pictureHeight);
 }
 
 void WindowRun::draw() {
-    if (!snapshot_) return;
+    if (!latest_) return;
     const auto start = std::chrono::steady_clock::now();
     const int width = window_.framebufferWidth(), height = window_.framebufferHeight();
-    if (snapshot_->dryPicture)
-        renderer_.drawPair(seen(*snapshot_->dryPicture), seen(snapshot_->picture), width, height);
+    if (latest_->dryPicture)
+        renderer_.drawPair(seen(*latest_->dryPicture), seen(latest_->picture), width, height);
     else
-        renderer_.draw(seen(snapshot_->picture), width, height);
+        renderer_.draw(seen(latest_->picture), width, height);
     const double took = secondsSince(start);
     simulation_.noteDrawTime(took);
     panel_.noteDrawTime(took);
@@ -208,7 +225,7 @@ void WindowRun::keepPictures() {
 }
 
 void WindowRun::keep(const Keepsake& keepsake) {
-    const viewer::Image image = imageOf(*keepsake.snapshot);
+    const viewer::Image image = imageOf(*keepsake.state);
     if (!keepsake.name.empty()) write(options_.frames / (keepsake.name + ".png"), image);
     if (!keepsake.filmed || !film_) return;
     try {
@@ -251,8 +268,8 @@ void WindowRun::loseFilm(const std::string& why) {
 }
 
 void WindowRun::takeScreenshot() {
-    if (!snapshot_) return;
-    write(freeName(pictureFolder(), "screenshot", ".png"), imageOf(*snapshot_));
+    if (!latest_) return;
+    write(freeName(pictureFolder(), "screenshot", ".png"), imageOf(*latest_));
 }
 
 std::filesystem::path WindowRun::pictureFolder() const {
@@ -271,7 +288,7 @@ void WindowRun::write(const std::filesystem::path& file, const viewer::Image& im
 }
 
 int WindowRun::exitStatus() const {
-    if (filmLost_ || (snapshot_ && !snapshot_->trouble.empty())) return 2;
+    if (filmLost_ || (latest_ && !latest_->trouble.empty())) return 2;
     if (renderer_.glErrors() == 0) return 0;
     std::cerr << "drench-demo: OpenGL reported " << renderer_.glErrors()
               << " errors; the pictures may be wrong, and a newer graphics driver may help\n";

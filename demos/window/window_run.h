@@ -1,7 +1,9 @@
 // A scene in a window.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <iosfwd>
 #include <memory>
 #include <string>
 
@@ -11,9 +13,28 @@
 #include "viewer/renderer.h"
 #include "viewer/window.h"
 #include "window/panel.h"
-#include "window/picture_count.h"
 
 namespace drench::demo {
+
+/// Counts the pictures of a window, for the line that --timings asks for.
+class PictureCount {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    /// @param start  of the program
+    explicit PictureCount(Clock::time_point start) : start_(start) {}
+
+    /// Notes that a picture is on the screen.
+    void note();
+    /// Writes when the first picture came, and how many there were a second after that.
+    void report(std::ostream& out) const;
+
+  private:
+    Clock::time_point start_;
+    Clock::time_point first_;
+    Clock::time_point last_;
+    int count_ = 0;
+};
 
 /// Shows a simulation, which runs by itself, and hands it what the user wants. The scene is looked at as it
 /// was last seen; drawing never makes it wait but for pictures and films that are to be kept whole.
@@ -44,7 +65,7 @@ class WindowRun {
     void restart();
     const viewer::Picture& pictureUnder(const viewer::Mouse& mouse) const;
     viewer::Picture seen(viewer::Picture picture);
-    viewer::Image imageOf(const Snapshot& snapshot);
+    viewer::Image imageOf(const FrameState& state);
     int exitStatus() const;
 
     RunOptions options_;
@@ -54,12 +75,16 @@ class WindowRun {
     viewer::Renderer renderer_;
     Panel panel_;
     PictureCount pictures_;
-    std::shared_ptr<const Snapshot> snapshot_;  // the newest that was seen
+    std::shared_ptr<const FrameState> latest_;  // the newest that was seen
     std::string cameraOf_;                      // the scene that chose the camera
     bool onCloth_ = false;                      // where the left button went down
     std::unique_ptr<Recorder> film_;
     std::filesystem::path filmFile_;
     bool filmLost_ = false;
 };
+
+/// Makes the scene that the options name and runs it in a window until that is closed.
+/// @return the exit status, as `WindowRun::loop`
+int runInWindow(const RunOptions& options);
 
 }  // namespace drench::demo

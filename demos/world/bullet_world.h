@@ -1,4 +1,4 @@
-// Bullet's plain world for soft bodies.
+// Bullet's plain world for soft bodies, with its own solver or Drench's.
 #pragma once
 
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
@@ -9,6 +9,7 @@
 
 namespace drench::demo {
 
+/// As Bullet solves it, or a solver that is given.
 class BulletWorld : public SceneWorld {
   public:
     /// @param solver  of the soft bodies, which must outlive this; none: Bullet's own
@@ -29,6 +30,26 @@ class BulletWorld : public SceneWorld {
     btDbvtBroadphase broadphase_;
     btSequentialImpulseConstraintSolver constraintSolver_;
     btSoftRigidDynamicsWorld world_;
+};
+
+/// A solver that is there before the world, and after it.
+class OwnSolver {
+  protected:
+    explicit OwnSolver(const SmallSteps& settings) : solver_(settings) {}
+    SmallStepSolver solver_;
+};
+
+/// With Drench's solver for its sheets.
+class SmallStepWorld final : private OwnSolver, public BulletWorld {
+  public:
+    explicit SmallStepWorld(const SmallSteps& settings) : OwnSolver(settings), BulletWorld(&solver_) {}
+
+    /// One: the solver divides it as it needs to.
+    int substepsFor(double, double, int) const override { return 1; }
+    /// The solver takes kDP as a rate.
+    void damp(btSoftBody& sheet, double rate, double) const override { sheet.m_cfg.kDP = btScalar(rate); }
+    int smallSteps() const override { return solver_.steps(); }
+    std::string stepsName() const override { return "Small steps per frame of 1/60 s, in one substep"; }
 };
 
 }  // namespace drench::demo

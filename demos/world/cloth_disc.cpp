@@ -169,16 +169,6 @@ void moveOnto(DiscMesh& mesh, double radius, double reach) {
         if (std::abs(node.norm() - radius) < reach) node *= radius / node.norm();
 }
 
-void addEdgesAsLinks(DiscMesh& mesh) {
-    std::set<std::array<int, 2>> edges;
-    for (const auto& triangle : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int a = triangle[k], b = triangle[(k + 1) % 3];
-            edges.insert({std::min(a, b), std::max(a, b)});
-        }
-    mesh.links.insert(mesh.links.end(), edges.begin(), edges.end());
-}
-
 }  // namespace
 
 DiscMesh discMesh(double radius, int nodesAcross, double innerRadius) {
@@ -192,7 +182,9 @@ DiscMesh discMesh(double radius, int nodesAcross, double innerRadius) {
         addRing(mesh, radius, int(std::lround(2 * pi * radius / cell)), std::atan2(first.y(), first.x()));
     Strip(mesh, border, rim).fill();
     moveOnto(mesh, innerRadius, 0.3 * cell);
-    addEdgesAsLinks(mesh);
+    const auto edges =
+        sidesOf(TriangleMesh{std::vector<Eigen::Vector3d>(mesh.nodes.size()), mesh.triangles, {}});
+    mesh.links.insert(mesh.links.end(), edges.begin(), edges.end());
     return mesh;
 }
 

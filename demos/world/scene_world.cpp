@@ -8,7 +8,6 @@
 
 #include "world/bullet_world.h"
 #include "world/deformable_world.h"
-#include "world/small_step_world.h"
 
 namespace drench::demo {
 

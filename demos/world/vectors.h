@@ -1,33 +1,27 @@
-// Vectors and turns as Bullet has them, and back.
+// Vectors and turns between Bullet, descriptions and pictures.
 #pragma once
 
 #include <LinearMath/btQuaternion.h>
-#include <LinearMath/btVector3.h>
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
+
+#include "bullet/world/vectors.h"
 
 namespace drench::demo {
 
-template <typename Vector>
-btVector3 bulletVector(const Eigen::MatrixBase<Vector>& v) {
-    return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
-}
-
-inline Eigen::Vector3d plainVector(const btVector3& v) {
-    return {double(v.x()), double(v.y()), double(v.z())};
-}
+using drench::toBullet;
+using drench::toEigen;
 
 /// As pictures have it.
 inline Eigen::Vector3f pictureVector(const btVector3& v) {
     return {float(v.x()), float(v.y()), float(v.z())};
 }
 
-inline btQuaternion bulletTurn(const Eigen::Quaterniond& q) {
+inline btQuaternion toBullet(const Eigen::Quaterniond& q) {
     return {btScalar(q.x()), btScalar(q.y()), btScalar(q.z()), btScalar(q.w())};
 }
 
-inline Eigen::Quaterniond plainTurn(const btQuaternion& q) {
+inline Eigen::Quaterniond toEigen(const btQuaternion& q) {
     return {double(q.w()), double(q.x()), double(q.y()), double(q.z())};
 }
 

@@ -183,9 +183,9 @@ TEST(Simulation, WaitsForAFilmAndSkipsNoFrame) {
         for (const Keepsake& keepsake : simulation.takeKeepsakes()) {
             EXPECT_TRUE(keepsake.filmed);
             if (last >= 0) {
-                EXPECT_EQ(keepsake.snapshot->frame, last + 1);
+                EXPECT_EQ(keepsake.state->frame, last + 1);
             }
-            last = keepsake.snapshot->frame;
+            last = keepsake.state->frame;
             ++seen;
         }
     }

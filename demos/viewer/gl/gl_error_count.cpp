@@ -25,20 +25,15 @@ GlErrorCount::~GlErrorCount() {
     if (hasMessages_) {
         void* receiver = nullptr;
         glGetPointerv(GL_DEBUG_CALLBACK_USER_PARAM, &receiver);
-        if (receiver == this) {
-            glDebugMessageCallback(nullptr, nullptr);
-        }
+        if (receiver == this) glDebugMessageCallback(nullptr, nullptr);
     }
 }
 
 void GlErrorCount::poll() {
     // A lost context reports errors for ever.
     constexpr int most = 16;
-    for (int i = 0; i < most && glGetError() != GL_NO_ERROR; ++i) {
-        if (!hasMessages_) {
-            ++count_;
-        }
-    }
+    for (int i = 0; i < most && glGetError() != GL_NO_ERROR; ++i)
+        if (!hasMessages_) ++count_;
 }
 
 }  // namespace drench::viewer

@@ -20,9 +20,7 @@ class GlObject {
     GlObject(const GlObject&) = delete;
     GlObject& operator=(const GlObject&) = delete;
     ~GlObject() {
-        if (name_ != 0) {
-            Kind::destroy(name_);
-        }
+        if (name_ != 0) Kind::destroy(name_);
     }
     // The name to hand to OpenGL.
     GLuint name() const { return name_; }
@@ -31,58 +29,15 @@ class GlObject {
     GLuint name_;
 };
 
-struct BufferKind {
+// Names that OpenGL gives out and takes back several at a time.
+template <auto& generate, auto& giveBack>
+struct ListedKind {
     static GLuint create() {
         GLuint name = 0;
-        glGenBuffers(1, &name);
+        generate(1, &name);
         return name;
     }
-    static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
-};
-
-struct VertexArrayKind {
-    static GLuint create() {
-        GLuint name = 0;
-        glGenVertexArrays(1, &name);
-        return name;
-    }
-    static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
-};
-
-struct TextureKind {
-    static GLuint create() {
-        GLuint name = 0;
-        glGenTextures(1, &name);
-        return name;
-    }
-    static void destroy(GLuint name) { glDeleteTextures(1, &name); }
-};
-
-struct SamplerKind {
-    static GLuint create() {
-        GLuint name = 0;
-        glGenSamplers(1, &name);
-        return name;
-    }
-    static void destroy(GLuint name) { glDeleteSamplers(1, &name); }
-};
-
-struct RenderbufferKind {
-    static GLuint create() {
-        GLuint name = 0;
-        glGenRenderbuffers(1, &name);
-        return name;
-    }
-    static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
-};
-
-struct FramebufferKind {
-    static GLuint create() {
-        GLuint name = 0;
-        glGenFramebuffers(1, &name);
-        return name;
-    }
-    static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
+    static void destroy(GLuint name) { giveBack(1, &name); }
 };
 
 template <GLenum stage>
@@ -96,11 +51,30 @@ struct ProgramKind {
     static void destroy(GLuint name) { glDeleteProgram(name); }
 };
 
-using Buffer = GlObject<BufferKind>;
-using VertexArray = GlObject<VertexArrayKind>;
-using Texture = GlObject<TextureKind>;
-using Sampler = GlObject<SamplerKind>;
-using Renderbuffer = GlObject<RenderbufferKind>;
-using Framebuffer = GlObject<FramebufferKind>;
+using Buffer = GlObject<ListedKind<glGenBuffers, glDeleteBuffers>>;
+using VertexArray = GlObject<ListedKind<glGenVertexArrays, glDeleteVertexArrays>>;
+using Texture = GlObject<ListedKind<glGenTextures, glDeleteTextures>>;
+using Sampler = GlObject<ListedKind<glGenSamplers, glDeleteSamplers>>;
+using Renderbuffer = GlObject<ListedKind<glGenRenderbuffers, glDeleteRenderbuffers>>;
+using Framebuffer = GlObject<ListedKind<glGenFramebuffers, glDeleteFramebuffers>>;
+
+// The size of a texture and what its texels are; the arguments of glTexImage2D.
+struct TextureFormat {
+    int width, height;
+    GLint texel;
+    GLenum channels, type;
+};
+
+// Binds a texture, stores it (without values: of any content), and says how it is looked up.
+inline void store(const Texture& texture, const TextureFormat& format, GLint minFilter, GLint magFilter,
+                  GLint wrap, const void* values = nullptr) {
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, format.texel, format.width, format.height, 0, format.channels, format.type,
+                 values);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minFilter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, magFilter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+}
 
 }  // namespace drench::viewer

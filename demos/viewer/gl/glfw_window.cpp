@@ -28,9 +28,8 @@ bool glfwStarted() {
 }
 
 GlfwWindow::GlfwWindow(int width, int height, const std::string& title, Visibility visibility) {
-    if (!glfwStarted()) {
+    if (!glfwStarted())
         throw std::runtime_error("viewer: no display (" + lastError() + "); run with --headless");
-    }
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

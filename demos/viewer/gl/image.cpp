@@ -48,17 +48,14 @@ void writePng(const std::filesystem::path& path, const Image& image) {
     requireWhole(image);
     std::vector<char> bytes;
     if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.rgb.data(),
-                               3 * image.width) == 0) {
+                               3 * image.width) == 0)
         throw fileError("write", path, "the PNG encoder ran out of memory");
-    }
     files::writeWhole(path, {bytes.data(), bytes.size()});
 }
 
 Image readPng(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        throw fileError("read", path, "no such file, or not readable");
-    }
+    if (!file) throw fileError("read", path, "no such file, or not readable");
     const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     Image image;
     int channels = 0;
@@ -66,23 +63,19 @@ Image readPng(const std::filesystem::path& path) {
         stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
                               &image.width, &image.height, &channels, 3),
         stbi_image_free);
-    if (!pixels) {
-        throw fileError("read", path, "not a PNG file");
-    }
+    if (!pixels) throw fileError("read", path, "not a PNG file");
     image.rgb.assign(pixels.get(), pixels.get() + byteCount(image.width, image.height));
     return image;
 }
 
 Image contactSheet(const std::vector<Image>& images, int columns, int gap) {
-    if (images.empty() || columns < 1 || gap < 0) {
+    if (images.empty() || columns < 1 || gap < 0)
         throw std::runtime_error("viewer: a contact sheet needs an image, a column and a gap of 0 or more");
-    }
     const Image& first = images.front();
     for (const Image& image : images) {
         requireWhole(image);
-        if (image.width != first.width || image.height != first.height) {
+        if (image.width != first.width || image.height != first.height)
             throw std::runtime_error("viewer: the images of a contact sheet must all have the same size");
-        }
     }
     const int count = static_cast<int>(images.size());
     columns = std::min(columns, count);

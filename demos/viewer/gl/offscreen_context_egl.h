@@ -26,9 +26,7 @@ inline bool lists(const char* extensions, std::string_view wanted) {
     std::string_view rest = extensions == nullptr ? "" : extensions;
     while (!rest.empty()) {
         const std::size_t end = rest.find(' ');
-        if (rest.substr(0, end) == wanted) {
-            return true;
-        }
+        if (rest.substr(0, end) == wanted) return true;
         rest = end == std::string_view::npos ? "" : rest.substr(end + 1);
     }
     return false;
@@ -42,14 +40,10 @@ inline EGLDisplay openDisplay() {
     const char* const extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (lists(extensions, "EGL_EXT_platform_base") && lists(extensions, "EGL_MESA_platform_surfaceless")) {
         const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-        if (initialised(display)) {
-            return display;
-        }
+        if (initialised(display)) return display;
     }
     const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    if (!initialised(display)) {
-        throw eglError("no EGL display can be opened");
-    }
+    if (!initialised(display)) throw eglError("no EGL display can be opened");
     return display;
 }
 
@@ -58,9 +52,8 @@ inline EGLConfig chooseConfig(EGLDisplay display, bool surfaceless) {
                                        surfaceless ? 0 : EGL_PBUFFER_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint found = 0;
-    if (eglChooseConfig(display, wanted.data(), &config, 1, &found) != EGL_TRUE || found < 1) {
+    if (eglChooseConfig(display, wanted.data(), &config, 1, &found) != EGL_TRUE || found < 1)
         throw eglError("the EGL display offers no OpenGL");
-    }
     return config;
 }
 
@@ -75,9 +68,7 @@ class OffscreenContext::Platform {
         }
         display_ = openDisplay();
         const bool surfaceless = epoxy_has_egl_extension(display_, "EGL_KHR_surfaceless_context");
-        if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
-            throw eglError("EGL knows no desktop OpenGL");
-        }
+        if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) throw eglError("EGL knows no desktop OpenGL");
         const EGLConfig config = chooseConfig(display_, surfaceless);
         try {
             create(config, surfaceless);
@@ -110,15 +101,11 @@ class OffscreenContext::Platform {
                                                 EGL_TRUE,
                                                 EGL_NONE};
         context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version.data());
-        if (context_ == EGL_NO_CONTEXT) {
-            throw eglError("OpenGL 3.3 core is not available");
-        }
+        if (context_ == EGL_NO_CONTEXT) throw eglError("OpenGL 3.3 core is not available");
         if (!surfaceless) {
             constexpr std::array<EGLint, 5> size{EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
             surface_ = eglCreatePbufferSurface(display_, config, size.data());
-            if (surface_ == EGL_NO_SURFACE) {
-                throw eglError("no off-screen surface can be made");
-            }
+            if (surface_ == EGL_NO_SURFACE) throw eglError("no off-screen surface can be made");
         }
         makeCurrent();
     }
@@ -126,15 +113,10 @@ class OffscreenContext::Platform {
     // The display stays open: EGL shares it with everybody else in the process, and closing it would end
     // their contexts too.
     void release() {
-        if (context_ != EGL_NO_CONTEXT && eglGetCurrentContext() == context_) {
+        if (context_ != EGL_NO_CONTEXT && eglGetCurrentContext() == context_)
             eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        }
-        if (surface_ != EGL_NO_SURFACE) {
-            eglDestroySurface(display_, surface_);
-        }
-        if (context_ != EGL_NO_CONTEXT) {
-            eglDestroyContext(display_, context_);
-        }
+        if (surface_ != EGL_NO_SURFACE) eglDestroySurface(display_, surface_);
+        if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
     }
 
     EGLDisplay display_ = EGL_NO_DISPLAY;

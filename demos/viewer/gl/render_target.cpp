@@ -53,20 +53,13 @@ SceneTarget::SceneTarget(int width, int height) : width_(width), height_(height)
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
     requireComplete("a smoothed picture", width, height);
 
-    glBindTexture(GL_TEXTURE_2D, resolvedColour_.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width, height, 0, GL_RGBA, GL_HALF_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    store(resolvedColour_, {width, height, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT}, GL_LINEAR_MIPMAP_LINEAR,
+          GL_LINEAR, GL_CLAMP_TO_EDGE);
     constexpr GLint coarsest = 6;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, coarsest);
     glGenerateMipmap(GL_TEXTURE_2D);
-    glBindTexture(GL_TEXTURE_2D, resolvedDepth_.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                 nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    store(resolvedDepth_, {width, height, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_FLOAT}, GL_NEAREST,
+          GL_NEAREST, GL_REPEAT);
     glBindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, resolvedColour_.name(), 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, resolvedDepth_.name(), 0);
@@ -118,23 +111,17 @@ Image ImageTarget::read() const {
     glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, bottomFirst.data());
     Image image{width_, height_, {}};
     image.rgb.reserve(bottomFirst.size());
-    for (auto end = bottomFirst.end(); end != bottomFirst.begin(); end -= static_cast<std::ptrdiff_t>(row)) {
+    for (auto end = bottomFirst.end(); end != bottomFirst.begin(); end -= static_cast<std::ptrdiff_t>(row))
         image.rgb.insert(image.rgb.end(), end - static_cast<std::ptrdiff_t>(row), end);
-    }
     return image;
 }
 
 ShadowTarget::ShadowTarget(int resolution) : resolution_(resolution) {
-    glBindTexture(GL_TEXTURE_2D, depth_.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, resolution, resolution, 0, GL_DEPTH_COMPONENT,
-                 GL_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    // Everything outside the map is lit.
+    store(depth_, {resolution, resolution, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_FLOAT}, GL_LINEAR,
+          GL_LINEAR, GL_CLAMP_TO_BORDER);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    // Everything outside the map is lit.
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
     constexpr std::array<float, 4> farAway{1.0f, 1.0f, 1.0f, 1.0f};
     glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, farAway.data());
     glSamplerParameteri(plain_.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -143,12 +130,8 @@ ShadowTarget::ShadowTarget(int resolution) : resolution_(resolution) {
     glSamplerParameteri(plain_.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
     glSamplerParameterfv(plain_.name(), GL_TEXTURE_BORDER_COLOR, farAway.data());
     glSamplerParameteri(plain_.name(), GL_TEXTURE_COMPARE_MODE, GL_NONE);
-    glBindTexture(GL_TEXTURE_2D, passing_.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16, resolution, resolution, 0, GL_RG, GL_UNSIGNED_SHORT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    store(passing_, {resolution, resolution, GL_RG16, GL_RG, GL_UNSIGNED_SHORT}, GL_NEAREST, GL_NEAREST,
+          GL_CLAMP_TO_EDGE);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(), 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, passing_.name(), 0);
@@ -179,6 +162,34 @@ void ShadowTarget::bindForLookup() const {
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, depth_.name());
     glBindSampler(0, 0);
+}
+
+LayersTarget::LayersTarget(int width, int height) : width_(width), height_(height) {
+    store(product_, {width, height, GL_R8, GL_RED, GL_UNSIGNED_BYTE}, GL_NEAREST, GL_NEAREST, GL_REPEAT);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, product_.name(), 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        throw std::runtime_error(
+            "viewer: the graphics driver cannot draw into one channel of 8 bits; update it");
+    }
+}
+
+void LayersTarget::begin() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    glViewport(0, 0, width_, height_);
+    constexpr std::array<float, 4> allPasses{1.0f, 1.0f, 1.0f, 1.0f};
+    glClearBufferfv(GL_COLOR, 0, allPasses.data());
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+}
+
+void LayersTarget::end() const {
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glActiveTexture(GL_TEXTURE5);
+    glBindTexture(GL_TEXTURE_2D, product_.name());
+    glActiveTexture(GL_TEXTURE0);
 }
 
 }  // namespace drench::viewer

@@ -15,9 +15,7 @@ std::runtime_error shaderError(const std::string& name, const std::string& step,
 
 std::string joined(std::initializer_list<std::string_view> pieces) {
     std::string source = "#version 330 core\n";
-    for (const std::string_view piece : pieces) {
-        source += piece;
-    }
+    for (const std::string_view piece : pieces) source += piece;
     return source;
 }
 
@@ -73,9 +71,7 @@ void ShaderProgram::bindInputs() const {
 
 void ShaderProgram::bindBlock(const char* name, GLuint binding) const {
     const GLuint block = glGetUniformBlockIndex(program_.name(), name);
-    if (block != GL_INVALID_INDEX) {
-        glUniformBlockBinding(program_.name(), block, binding);
-    }
+    if (block != GL_INVALID_INDEX) glUniformBlockBinding(program_.name(), block, binding);
 }
 
 }  // namespace drench::viewer

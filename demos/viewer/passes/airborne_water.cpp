@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "viewer/passes/shader_values.h"
 #include "viewer/shaders/shaders.h"
 
 namespace drench::viewer {
@@ -14,33 +15,19 @@ constexpr float exposure = 1.0f / 120.0f;
 
 using Instance = InstancedQuads<2>::Instance;
 
-bool drawable(const Eigen::Vector3f& point) {
-    return point.allFinite() && point.cwiseAbs().maxCoeff() < 1e5f;
-}
-
-bool drawable(float size) {
-    return size > 0.0f && size < 1e5f;
-}
-
-std::array<float, 4> packed(const Eigen::Vector3f& vector, float last) {
-    return {vector.x(), vector.y(), vector.z(), last};
-}
-
 std::vector<Instance> dropInstances(const std::vector<WaterDrop>& drops) {
     std::vector<Instance> instances;
-    for (const WaterDrop& drop : drops) {
-        if (drawable(drop.centre) && drawable(drop.velocity) && drawable(drop.radius)) {
+    for (const WaterDrop& drop : drops)
+        if (isDrawable(drop.centre) && isDrawable(drop.velocity) && isDrawable(drop.radius))
             instances.push_back({packed(drop.centre, drop.radius), packed(exposure * drop.velocity, 0.0f)});
-        }
-    }
     return instances;
 }
 
 std::vector<Instance> streakInstances(const std::vector<Streak>& streaks) {
     std::vector<Instance> instances;
     for (const Streak& streak : streaks) {
-        if (drawable(streak.from) && drawable(streak.to) && drawable(streak.width) &&
-            drawable(streak.opacity)) {
+        if (isDrawable(streak.from) && isDrawable(streak.to) && isDrawable(streak.width) &&
+            isDrawable(streak.opacity)) {
             instances.push_back(
                 {packed(streak.from, streak.width), packed(streak.to, std::min(streak.opacity, 1.0f))});
         }
@@ -52,15 +39,14 @@ std::vector<Instance> streakInstances(const std::vector<Streak>& streaks) {
 std::vector<Instance> puffInstances(const std::vector<MistPuff>& mist, const Eigen::Vector3f& eye) {
     std::vector<MistPuff> puffs;
     std::copy_if(mist.begin(), mist.end(), std::back_inserter(puffs), [](const MistPuff& puff) {
-        return drawable(puff.centre) && drawable(puff.radius) && drawable(puff.density);
+        return isDrawable(puff.centre) && isDrawable(puff.radius) && isDrawable(puff.density);
     });
     std::sort(puffs.begin(), puffs.end(), [&](const MistPuff& one, const MistPuff& other) {
         return (one.centre - eye).squaredNorm() > (other.centre - eye).squaredNorm();
     });
     std::vector<Instance> instances;
-    for (const MistPuff& puff : puffs) {
+    for (const MistPuff& puff : puffs)
         instances.push_back({packed(puff.centre, puff.radius), {puff.density, 0.0f, 0.0f, 0.0f}});
-    }
     return instances;
 }
 

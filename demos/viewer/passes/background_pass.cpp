@@ -13,18 +13,14 @@ BackgroundPass::BackgroundPass()
            {shaders::frame, shaders::sky, shaders::noise, shaders::skyFragment}) {}
 
 void BackgroundPass::draw(bool groundIsSeen) const {
-    if (groundIsSeen) {
-        drawGround(ground_);
-    }
+    if (groundIsSeen) drawGround(ground_);
     glBindVertexArray(noAttributes_.name());
     sky_.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void BackgroundPass::drawDepth(bool groundIsSeen) const {
-    if (groundIsSeen) {
-        drawGround(groundDepth_);
-    }
+    if (groundIsSeen) drawGround(groundDepth_);
 }
 
 void BackgroundPass::drawGround(const ShaderProgram& program) const {

@@ -3,19 +3,15 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "viewer/passes/shader_values.h"
+
 namespace drench::viewer {
 
 namespace {
 
-std::array<float, 4> packed(const Eigen::Vector3f& vector, float last) {
-    return {vector.x(), vector.y(), vector.z(), last};
-}
-
 void addBalls(FrameUniforms& uniforms, const std::vector<Ball>& balls) {
     const std::size_t count = std::min(balls.size(), FrameUniforms::mostBalls);
-    for (std::size_t i = 0; i < count; ++i) {
-        uniforms.balls[i] = packed(balls[i].centre, balls[i].radius);
-    }
+    for (std::size_t i = 0; i < count; ++i) uniforms.balls[i] = packed(balls[i].centre, balls[i].radius);
     uniforms.ground[1] = static_cast<float>(count);
 }
 

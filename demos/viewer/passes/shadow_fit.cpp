@@ -22,12 +22,8 @@ Eigen::Matrix3f sunRotation(const Eigen::Vector3f& towardsSun) {
 Eigen::AlignedBox3f boundsSeenFromSun(const std::vector<Eigen::Vector3f>& points,
                                       const Eigen::Matrix3f& rotation) {
     Eigen::AlignedBox3f box;
-    for (const Eigen::Vector3f& point : points) {
-        box.extend(Eigen::Vector3f(rotation * point));
-    }
-    if (box.isEmpty()) {
-        box.extend(Eigen::Vector3f(Eigen::Vector3f::Zero()));
-    }
+    for (const Eigen::Vector3f& point : points) box.extend(Eigen::Vector3f(rotation * point));
+    if (box.isEmpty()) box.extend(Eigen::Vector3f(Eigen::Vector3f::Zero()));
     return box;
 }
 

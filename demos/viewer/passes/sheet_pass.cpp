@@ -18,12 +18,8 @@ void SheetPass::upload(const Picture& picture, std::vector<Eigen::Vector3f>& cas
     count_ = 0;
     for (const SheetMesh& sheet : picture.sheets) {
         const auto vertices = sheetSurface(sheet);
-        if (!vertices) {
-            continue;
-        }
-        if (count_ == sheets_.size()) {
-            sheets_.emplace_back();
-        }
+        if (!vertices) continue;
+        if (count_ == sheets_.size()) sheets_.emplace_back();
         sheets_[count_++].upload(rounded(*vertices, sheet.triangles), sheetUniforms(sheet, picture.legend));
         casters.insert(casters.end(), sheet.positions.begin(), sheet.positions.end());
     }
@@ -45,9 +41,7 @@ void SheetPass::draw() const {
 }
 
 void SheetPass::drawAll() const {
-    for (std::size_t i = 0; i < count_; ++i) {
-        sheets_[i].draw();
-    }
+    for (std::size_t i = 0; i < count_; ++i) sheets_[i].draw();
 }
 
 }  // namespace drench::viewer

@@ -42,9 +42,7 @@ SheetVertex vertexAt(const Corners& corners, const Weights& weights) {
 }
 
 std::uint32_t piecesAlongAnEdge(std::size_t triangles) {
-    if (triangles <= 20000) {
-        return 3;
-    }
+    if (triangles <= 20000) return 3;
     return triangles <= 60000 ? 2 : 1;
 }
 
@@ -67,9 +65,8 @@ void addTriangles(SheetTriangles& result, std::uint32_t first, std::uint32_t pie
         const std::uint32_t lower = upper + row + 1;
         for (std::uint32_t column = 0; column <= row; ++column) {
             result.triangles.push_back({upper + column, lower + column, lower + column + 1});
-            if (column < row) {
+            if (column < row)
                 result.triangles.push_back({upper + column, lower + column + 1, upper + column + 1});
-            }
         }
     }
 }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "viewer/passes/shader_values.h"
+
 namespace drench::viewer {
 
 namespace {
@@ -21,9 +23,7 @@ void requireConsistent(const SheetMesh& sheet) {
     requireSize("albedo", sheet.albedo.size(), nodes);
     requireSize("gloss", sheet.gloss.size(), nodes);
     const auto requireSizeIfAny = [&](const char* list, std::size_t size) {
-        if (size > 0) {
-            requireSize(list, size, nodes);
-        }
+        if (size > 0) requireSize(list, size, nodes);
     };
     requireSizeIfAny("clothCoordinates", sheet.clothCoordinates.size());
     requireSizeIfAny("dampness", sheet.dampness.size());
@@ -44,18 +44,10 @@ void requireConsistent(const SheetMesh& sheet) {
 }
 
 bool drawable(const SheetMesh& sheet) {
-    constexpr float farthest = 1e5f;
-    if (sheet.triangles.empty()) {
-        return false;
-    }
-    for (std::size_t i = 0; i < sheet.positions.size(); ++i) {
-        // Written so that a NaN fails it too.
-        const bool near =
-            sheet.positions[i].cwiseAbs().maxCoeff() <= farthest && sheet.positions[i].allFinite();
-        if (!near || !sheet.albedo[i].allFinite() || !std::isfinite(sheet.gloss[i])) {
+    if (sheet.triangles.empty()) return false;
+    for (std::size_t i = 0; i < sheet.positions.size(); ++i)
+        if (!isDrawable(sheet.positions[i]) || !sheet.albedo[i].allFinite() || !std::isfinite(sheet.gloss[i]))
             return false;
-        }
-    }
     return true;
 }
 
@@ -78,9 +70,8 @@ std::vector<SheetVertex> bareVertices(const SheetMesh& sheet) {
         vertex.hollow = 0.0f;
         // A constant coordinate makes the weave pattern flat.
         vertex.clothCoordinates.setZero();
-        if (!sheet.clothCoordinates.empty() && sheet.clothCoordinates[i].allFinite()) {
+        if (!sheet.clothCoordinates.empty() && sheet.clothCoordinates[i].allFinite())
             vertex.clothCoordinates = sheet.clothCoordinates[i];
-        }
     }
     return vertices;
 }
@@ -139,9 +130,7 @@ void computeHollows(const SheetMesh& sheet, std::vector<SheetVertex>& vertices) 
 
 std::optional<std::vector<SheetVertex>> sheetSurface(const SheetMesh& sheet) {
     requireConsistent(sheet);
-    if (!drawable(sheet)) {
-        return std::nullopt;
-    }
+    if (!drawable(sheet)) return std::nullopt;
     std::vector<SheetVertex> vertices = bareVertices(sheet);
     computeNormals(sheet, vertices);
     computeHollows(sheet, vertices);

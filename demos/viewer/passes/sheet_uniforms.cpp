@@ -15,9 +15,7 @@ struct Bounds {
 
 Bounds clothBounds(const std::vector<Eigen::Vector2f>& coordinates) {
     Bounds bounds{Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};
-    if (!coordinates.empty()) {
-        bounds = {coordinates.front(), coordinates.front()};
-    }
+    if (!coordinates.empty()) bounds = {coordinates.front(), coordinates.front()};
     for (const Eigen::Vector2f& at : coordinates) {
         bounds.low = bounds.low.cwiseMin(at);
         bounds.high = bounds.high.cwiseMax(at);
@@ -56,9 +54,7 @@ SheetUniforms sheetUniforms(const SheetMesh& sheet, const std::optional<Legend>&
         uniforms.threading = {sheet.threadSpacing, static_cast<float>(sheet.weave), hemWidth(sheet, bounds),
                               0.0f};
     }
-    if (legend && !sheet.values.empty()) {
-        uniforms.legend = {legend->from, legend->to, 1.0f, 0.0f};
-    }
+    if (legend && !sheet.values.empty()) uniforms.legend = {legend->from, legend->to, 1.0f, 0.0f};
     for (std::size_t stop = 0; stop < colourStops; ++stop) {
         const Eigen::Vector3f colour = mappedColour(static_cast<float>(stop) / (colourStops - 1));
         uniforms.legendColours[stop] = {colour.x(), colour.y(), colour.z(), 1.0f};

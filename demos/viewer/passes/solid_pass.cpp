@@ -41,10 +41,8 @@ void addCorners(std::vector<Eigen::Vector3f>& points, const Box& box) {
 
 template <typename Solid>
 void uploadTo(Solids& buffer, const std::vector<Solid>& solids, std::vector<Eigen::Vector3f>& casters) {
-    buffer.upload(instances(solids));
-    for (const Solid& solid : solids) {
-        addCorners(casters, solid);
-    }
+    buffer.upload(solids);
+    for (const Solid& solid : solids) addCorners(casters, solid);
 }
 
 }  // namespace
@@ -57,9 +55,9 @@ SolidPass::SolidPass()
                       shadow("box shadow", shaders::boxVertex)} {}
 
 void SolidPass::upload(const Picture& picture, std::vector<Eigen::Vector3f>& casters) {
-    uploadTo(balls_, drawableBalls(picture.balls), casters);
-    uploadTo(rods_, drawableRods(picture.rods), casters);
-    uploadTo(boxes_, drawableBoxes(picture.boxes), casters);
+    uploadTo(balls_, drawable(picture.balls), casters);
+    uploadTo(rods_, drawable(picture.rods), casters);
+    uploadTo(boxes_, drawable(picture.boxes), casters);
 }
 
 void SolidPass::drawShadows() const {

@@ -1,29 +1,15 @@
 #include "viewer/passes/solids.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
+
+#include "viewer/passes/shader_values.h"
 
 namespace drench::viewer {
 
 namespace {
 
-constexpr float farthest = 1e5f;
-
-bool drawable(const Eigen::Vector3f& point) {
-    return point.allFinite() && point.cwiseAbs().maxCoeff() <= farthest;
-}
-
-bool drawable(float radius) {
-    return radius > 0.0f && radius <= farthest;
-}
-
-std::array<float, 4> packed(const Eigen::Vector3f& vector, float last) {
-    return {vector.x(), vector.y(), vector.z(), last};
-}
-
-std::array<float, 4> packed(const Eigen::Quaternionf& turn) {
-    return {turn.x(), turn.y(), turn.z(), turn.w()};
+bool hasVolume(const Eigen::Vector3f& half) {
+    return isDrawable(half.x()) && isDrawable(half.y()) && isDrawable(half.z());
 }
 
 // As the shaders know it.
@@ -37,85 +23,44 @@ const void* bufferOffset(std::size_t bytes) {
 
 }  // namespace
 
-std::vector<Ball> drawableBalls(const std::vector<Ball>& balls) {
-    std::vector<Ball> kept;
-    std::copy_if(balls.begin(), balls.end(), std::back_inserter(kept), [](const Ball& ball) {
-        return drawable(ball.centre) && drawable(ball.radius) && ball.albedo.allFinite() &&
-               ball.orientation.coeffs().allFinite();
-    });
-    return kept;
+bool isDrawable(const Ball& ball) {
+    return isDrawable(ball.centre) && isDrawable(ball.radius) && ball.albedo.allFinite() &&
+           ball.orientation.coeffs().allFinite();
 }
 
-std::vector<Rod> drawableRods(const std::vector<Rod>& rods) {
-    std::vector<Rod> kept;
-    std::copy_if(rods.begin(), rods.end(), std::back_inserter(kept), [](const Rod& rod) {
-        return drawable(rod.from) && drawable(rod.to) && drawable(rod.radius) && rod.albedo.allFinite();
-    });
-    return kept;
+bool isDrawable(const Rod& rod) {
+    return isDrawable(rod.from) && isDrawable(rod.to) && isDrawable(rod.radius) && rod.albedo.allFinite();
 }
 
-std::vector<Box> drawableBoxes(const std::vector<Box>& boxes) {
-    std::vector<Box> kept;
-    std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(kept), [](const Box& box) {
-        const Eigen::Vector3f& half = box.halfExtents;
-        return drawable(box.centre) && drawable(half.x()) && drawable(half.y()) && drawable(half.z()) &&
-               box.albedo.allFinite() && box.orientation.coeffs().allFinite();
-    });
-    return kept;
+bool isDrawable(const Box& box) {
+    return isDrawable(box.centre) && hasVolume(box.halfExtents) && box.albedo.allFinite() &&
+           box.orientation.coeffs().allFinite();
 }
 
-std::vector<Water> drawableWaters(const std::vector<Water>& waters) {
-    std::vector<Water> kept;
-    std::copy_if(waters.begin(), waters.end(), std::back_inserter(kept), [](const Water& water) {
-        const Eigen::Vector3f& half = water.halfExtents;
-        return drawable(water.centre) && drawable(half.x()) && drawable(half.y()) && drawable(half.z()) &&
-               std::isfinite(water.time);
-    });
-    return kept;
+bool isDrawable(const Water& water) {
+    return isDrawable(water.centre) && hasVolume(water.halfExtents) && std::isfinite(water.time);
 }
 
-std::vector<SolidInstance> instances(const std::vector<Ball>& balls) {
-    std::vector<SolidInstance> packedBalls;
-    packedBalls.reserve(balls.size());
-    for (const Ball& ball : balls) {
-        packedBalls.push_back({packed(ball.centre, ball.radius), packed(ball.orientation),
-                               packed(ball.albedo, number(ball.material))});
-    }
-    return packedBalls;
+SolidInstance instanceOf(const Ball& ball) {
+    return {packed(ball.centre, ball.radius), packed(ball.orientation),
+            packed(ball.albedo, number(ball.material))};
 }
 
-std::vector<SolidInstance> instances(const std::vector<Rod>& rods) {
-    std::vector<SolidInstance> packedRods;
-    packedRods.reserve(rods.size());
-    for (const Rod& rod : rods) {
-        packedRods.push_back(
-            {packed(rod.from, rod.radius), packed(rod.to, 1.0f), packed(rod.albedo, number(rod.material))});
-    }
-    return packedRods;
+SolidInstance instanceOf(const Rod& rod) {
+    return {packed(rod.from, rod.radius), packed(rod.to, 1.0f), packed(rod.albedo, number(rod.material))};
 }
 
-std::vector<SolidInstance> instances(const std::vector<Box>& boxes) {
-    std::vector<SolidInstance> packedBoxes;
-    packedBoxes.reserve(boxes.size());
-    for (const Box& box : boxes) {
-        packedBoxes.push_back({packed(box.centre, 1.0f), packed(box.orientation),
-                               packed(box.albedo, number(box.material)), packed(box.halfExtents, 0.0f)});
-    }
-    return packedBoxes;
+SolidInstance instanceOf(const Box& box) {
+    return {packed(box.centre, 1.0f), packed(box.orientation), packed(box.albedo, number(box.material)),
+            packed(box.halfExtents, 0.0f)};
 }
 
-std::vector<SolidInstance> instances(const std::vector<Water>& waters) {
-    std::vector<SolidInstance> packedWaters;
-    packedWaters.reserve(waters.size());
-    for (const Water& water : waters) {
-        packedWaters.push_back({packed(water.centre, water.time), {}, {}, packed(water.halfExtents, 0.0f)});
-    }
-    return packedWaters;
+SolidInstance instanceOf(const Water& water) {
+    return {packed(water.centre, water.time), {}, {}, packed(water.halfExtents, 0.0f)};
 }
 
-Solids::Solids(const std::vector<Eigen::Vector4f>& vertices,
-               const std::vector<std::array<std::uint32_t, 3>>& triangles)
-    : indexCount_(static_cast<GLsizei>(3 * triangles.size())) {
+Solids::Solids(const SolidMesh& mesh) : indexCount_(static_cast<GLsizei>(3 * mesh.triangles.size())) {
+    const auto& [vertices, triangles] = mesh;
     glBindVertexArray(vertexArray_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(vertices[0])),
@@ -135,7 +80,7 @@ Solids::Solids(const std::vector<Eigen::Vector4f>& vertices,
     glBindVertexArray(0);
 }
 
-void Solids::upload(const std::vector<SolidInstance>& instances) {
+void Solids::uploadInstances(const std::vector<SolidInstance>& instances) {
     instanceCount_ = static_cast<GLsizei>(instances.size());
     glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(SolidInstance)),

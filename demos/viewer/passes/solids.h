@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "viewer/gl/gl_object.h"
-#include "viewer/passes/box_mesh.h"
-#include "viewer/passes/capsule_mesh.h"
+#include "viewer/passes/solid_meshes.h"
 #include "viewer/picture/picture.h"
 
 namespace drench::viewer {
@@ -24,35 +23,42 @@ struct SolidInstance {
     std::array<float, 4> extents = {};
 };
 
-// The balls that can be drawn: finite, with a radius above 0.
-std::vector<Ball> drawableBalls(const std::vector<Ball>& balls);
-// The rods that can be drawn: finite, with a radius above 0.
-std::vector<Rod> drawableRods(const std::vector<Rod>& rods);
+// Whether one can be drawn: finite, with a radius or a volume above 0.
+bool isDrawable(const Ball& ball);
+bool isDrawable(const Rod& rod);
+bool isDrawable(const Box& box);
+bool isDrawable(const Water& water);
 
-// The boxes that can be drawn: finite, with a volume above 0.
-std::vector<Box> drawableBoxes(const std::vector<Box>& boxes);
+SolidInstance instanceOf(const Ball& ball);
+SolidInstance instanceOf(const Rod& rod);
+SolidInstance instanceOf(const Box& box);
+SolidInstance instanceOf(const Water& water);
 
-// The waters that can be drawn: finite, with a volume above 0.
-std::vector<Water> drawableWaters(const std::vector<Water>& waters);
-
-std::vector<SolidInstance> instances(const std::vector<Ball>& balls);
-std::vector<SolidInstance> instances(const std::vector<Rod>& rods);
-std::vector<SolidInstance> instances(const std::vector<Box>& boxes);
-std::vector<SolidInstance> instances(const std::vector<Water>& waters);
+// Those that can be drawn.
+template <typename Solid>
+std::vector<Solid> drawable(const std::vector<Solid>& solids) {
+    std::vector<Solid> kept;
+    for (const Solid& solid : solids)
+        if (isDrawable(solid)) kept.push_back(solid);
+    return kept;
+}
 
 // A mesh drawn once for each instance.
 class Solids {
   public:
-    explicit Solids(const CapsuleMesh& mesh) : Solids(mesh.vertices, mesh.triangles) {}
-    explicit Solids(const BoxMesh& mesh) : Solids(mesh.vertices, mesh.triangles) {}
-    // Replaces the instances.
-    void upload(const std::vector<SolidInstance>& instances);
+    explicit Solids(const SolidMesh& mesh);
+    // Replaces the instances, all of which must be drawable.
+    template <typename Solid>
+    void upload(const std::vector<Solid>& solids) {
+        std::vector<SolidInstance> instances;
+        for (const Solid& solid : solids) instances.push_back(instanceOf(solid));
+        uploadInstances(instances);
+    }
     void draw() const;
     bool empty() const { return instanceCount_ == 0; }
 
   private:
-    Solids(const std::vector<Eigen::Vector4f>& vertices,
-           const std::vector<std::array<std::uint32_t, 3>>& triangles);
+    void uploadInstances(const std::vector<SolidInstance>& instances);
 
     VertexArray vertexArray_;
     Buffer vertices_;

@@ -10,7 +10,7 @@ WaterPass::WaterPass()
                 shaders::placeBehind, shaders::waterFragment}) {}
 
 void WaterPass::upload(const std::vector<Water>& waters) {
-    waters_.upload(instances(drawableWaters(waters)));
+    waters_.upload(drawable(waters));
 }
 
 void WaterPass::draw() const {

@@ -5,23 +5,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "viewer/passes/shader_values.h"
 #include "viewer/shaders/shaders.h"
 
 namespace drench::viewer {
 
 namespace {
-
-void allocate(const Texture& texture, GLint format, int width, int height, GLenum channels, GLenum type,
-              const void* values) {
-    glBindTexture(GL_TEXTURE_2D, texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, channels, type, values);
-    for (const auto filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
-        glTexParameteri(GL_TEXTURE_2D, static_cast<GLenum>(filter), GL_NEAREST);
-    }
-    for (const auto direction : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
-        glTexParameteri(GL_TEXTURE_2D, static_cast<GLenum>(direction), GL_CLAMP_TO_EDGE);
-    }
-}
 
 void requireComplete() {
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
@@ -33,16 +22,18 @@ void requireComplete() {
     }
 }
 
-bool drawable(const WetPatch& patch) {
-    return patch.centre.allFinite() && patch.centre.cwiseAbs().maxCoeff() < 1e5f && patch.radius > 0.0f &&
-           patch.radius < 1e5f && patch.wetness > 0.0f && patch.orientation.coeffs().allFinite();
+bool isDrawable(const WetPatch& patch) {
+    return viewer::isDrawable(patch.centre) && viewer::isDrawable(patch.radius) && patch.wetness > 0.0f &&
+           patch.orientation.coeffs().allFinite();
 }
 
 }  // namespace
 
 WetPatches::Maps::Maps(int mapWidth, int mapHeight) : width(mapWidth), height(mapHeight) {
-    allocate(depth, GL_DEPTH_COMPONENT24, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
-    allocate(wetness, GL_R8, width, height, GL_RED, GL_UNSIGNED_BYTE, nullptr);
+    store(depth, {width, height, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_FLOAT}, GL_NEAREST, GL_NEAREST,
+          GL_CLAMP_TO_EDGE);
+    store(wetness, {width, height, GL_R8, GL_RED, GL_UNSIGNED_BYTE}, GL_NEAREST, GL_NEAREST,
+          GL_CLAMP_TO_EDGE);
     glBindFramebuffer(GL_FRAMEBUFFER, solids.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth.name(), 0);
     glDrawBuffer(GL_NONE);
@@ -58,20 +49,16 @@ WetPatches::WetPatches()
           "wet patch", {shaders::frame, shaders::patchVertex},
           {shaders::frame, shaders::noise, shaders::placeBehind, shaders::turning, shaders::patchFragment}) {
     constexpr std::uint8_t none[4] = {0, 0, 0, 0};
-    allocate(dry_, GL_R8, 1, 1, GL_RED, GL_UNSIGNED_BYTE, none);
+    store(dry_, {1, 1, GL_R8, GL_RED, GL_UNSIGNED_BYTE}, GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, none);
 }
 
 void WetPatches::upload(const std::vector<WetPatch>& patches) {
     std::vector<InstancedQuads<3>::Instance> instances;
     for (const WetPatch& patch : patches) {
-        if (!drawable(patch)) {
-            continue;
-        }
-        const auto& at = patch.centre;
-        const auto& turn = patch.orientation;
-        instances.push_back({{{at.x(), at.y(), at.z(), patch.radius},
-                              {turn.x(), turn.y(), turn.z(), turn.w()},
-                              {std::min(patch.wetness, 1.0f), patch.outline, 0.0f, 0.0f}}});
+        if (isDrawable(patch))
+            instances.push_back({{packed(patch.centre, patch.radius),
+                                  packed(patch.orientation),
+                                  {std::min(patch.wetness, 1.0f), patch.outline, 0.0f, 0.0f}}});
     }
     quads_.upload(instances);
 }

@@ -36,9 +36,7 @@ Eigen::Vector3f mappedColour(float share) {
     for (float chroma = 0.005f; chroma < 0.15f; chroma += 0.005f) {
         const Eigen::Vector3f candidate =
             fromOklab(lightness, chroma * std::cos(hue), chroma * std::sin(hue));
-        if (!onScreen(candidate)) {
-            break;
-        }
+        if (!onScreen(candidate)) break;
         rgb = candidate;
     }
     return rgb;

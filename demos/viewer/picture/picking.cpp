@@ -20,17 +20,13 @@ std::optional<float> distanceTo(const Ray& ray, const Eigen::Vector3f& a, const 
     const Eigen::Vector3f ab = b - a, ac = c - a;
     const Eigen::Vector3f across = ray.direction.cross(ac);
     const float volume = ab.dot(across);
-    if (!(std::abs(volume) > 1e-12f)) {
-        return std::nullopt;
-    }
+    if (!(std::abs(volume) > 1e-12f)) return std::nullopt;
     const Eigen::Vector3f from = ray.origin - a;
     const float u = from.dot(across) / volume;
     const Eigen::Vector3f turned = from.cross(ab);
     const float v = ray.direction.dot(turned) / volume;
     const float distance = ac.dot(turned) / volume;
-    if (!(u >= 0.0f && v >= 0.0f && u + v <= 1.0f && distance > 0.0f)) {
-        return std::nullopt;
-    }
+    if (!(u >= 0.0f && v >= 0.0f && u + v <= 1.0f && distance > 0.0f)) return std::nullopt;
     return distance;
 }
 
@@ -40,13 +36,9 @@ std::optional<float> distanceToBalls(const Ray& ray, const std::vector<Ball>& ba
         const Eigen::Vector3f from = ray.origin - ball.centre;
         const float along = from.dot(ray.direction);
         const float inside = along * along - from.squaredNorm() + ball.radius * ball.radius;
-        if (!(inside >= 0.0f)) {
-            continue;
-        }
+        if (!(inside >= 0.0f)) continue;
         const float distance = -along - std::sqrt(inside);
-        if (distance > 0.0f && (!nearest || distance < *nearest)) {
-            nearest = distance;
-        }
+        if (distance > 0.0f && (!nearest || distance < *nearest)) nearest = distance;
     }
     return nearest;
 }
@@ -59,9 +51,7 @@ bool meetsSheet(const Ray& ray, const Picture& picture) {
                                              sheet.positions[triangle[2]]);
             // Cloth on a ball lies on it within the thickness of the picture.
             constexpr float onIt = 0.02f;
-            if (distance && *distance < most + onIt) {
-                return true;
-            }
+            if (distance && *distance < most + onIt) return true;
         }
     }
     return false;

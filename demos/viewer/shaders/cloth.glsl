@@ -27,18 +27,14 @@ Relief streaks(vec2 at, float pixel) {
 // Small creases that the mesh is too coarse for.
 vec2 creases(vec2 at, float pixel) {
     float kept = 1.0 - smoothstep(0.15, 0.5, pixel * 22.0);
-    if (kept <= 0.0) {
-        return vec2(0.0);
-    }
+    if (kept <= 0.0) return vec2(0.0);
     vec3 wide = noiseAndSlope(at * 9.0 + 1.9);
     vec3 narrow = noiseAndSlope(at * 22.0 + 0.35 * wide.yz + 4.1);
     return kept * (0.10 * wide.yz + 0.07 * narrow.yz);
 }
 
 Relief clothRelief(vec2 at, float pixel, float dryness) {
-    if (threading.x <= 0.0) {
-        return Relief(vec2(0.0), 0.0, 0.0);
-    }
+    if (threading.x <= 0.0) return Relief(vec2(0.0), 0.0, 0.0);
     Relief uneven = streaks(at, pixel);
     Relief all = Relief(0.10 * uneven.slope + dryness * creases(at, pixel), 0.15 * uneven.shade, 0.12);
     // The legs of a loop are finer than what one wale is from the next.

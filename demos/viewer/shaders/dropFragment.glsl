@@ -28,9 +28,7 @@ void main() {
     float outside = sqrt(out2);
     float pixel = max(fwidth(outside), 1e-4);
     float covered = clamp((1.0 - outside) / pixel + 0.5, 0.0, 1.0);
-    if (covered <= 0.0) {
-        discard;
-    }
+    if (covered <= 0.0) discard;
     float towards = sqrt(max(1.0 - out2, 0.0));
     vec3 sideways = onDrop.x * across + slimness * onDrop.y * along;
     vec3 normal = normalize(sideways + max(towards, 0.02) * towardsEye);

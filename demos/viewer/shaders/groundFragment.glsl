@@ -66,9 +66,7 @@ float onTerrace(vec2 at, float pixel) {
 
 // How wet rain has made open ground: spots that run together, then a film.
 float openWetness(vec2 at, float pixel) {
-    if (ground.z <= 0.0) {
-        return 0.0;
-    }
+    if (ground.z <= 0.0) return 0.0;
     vec2 outside = max(patched.xy - at, at - patched.zw);
     float away = max(outside.x, outside.y) + 0.7 * layeredNoise(1.7 * at, 1.7 * pixel);
     float open = smoothstep(-0.5, 0.0, away);

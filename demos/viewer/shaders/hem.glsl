@@ -35,9 +35,7 @@ Hem hemAt(vec2 at, float pixel) {
     vec2 near = min(fromLow, fromHigh);
     bool alongWarp = near.y < near.x;
     float inwards = min(near.x, near.y);
-    if (width <= 0.0 || inwards > 4.0 * width) {
-        return Hem(0.0, 0.0, vec2(0.0));
-    }
+    if (width <= 0.0 || inwards > 4.0 * width) return Hem(0.0, 0.0, vec2(0.0));
     float along = alongWarp ? at.x : at.y;
     vec2 direction = alongWarp ? vec2(0.0, fromLow.y < fromHigh.y ? 1.0 : -1.0)
                                : vec2(fromLow.x < fromHigh.x ? 1.0 : -1.0, 0.0);

@@ -41,9 +41,7 @@ float layeredNoise(vec2 at, float pixel) {
     float share = 1.0;
     for (int i = 0; i < 4; ++i) {
         float kept = share * (1.0 - smoothstep(0.3, 0.9, pixel));
-        if (kept > 0.0) {
-            sum += kept * valueNoise(at);
-        }
+        if (kept > 0.0) sum += kept * valueNoise(at);
         at = 2.3 * turn * at + 3.7;
         pixel *= 2.3;
         share *= 0.55;
@@ -56,9 +54,7 @@ float layeredNoise(vec3 at, float pixel) {
     float share = 1.0;
     for (int i = 0; i < 4; ++i) {
         float kept = share * (1.0 - smoothstep(0.3, 0.9, pixel));
-        if (kept > 0.0) {
-            sum += kept * valueNoise(at);
-        }
+        if (kept > 0.0) sum += kept * valueNoise(at);
         at = 2.3 * at.yzx + 3.7;
         pixel *= 2.3;
         share *= 0.55;

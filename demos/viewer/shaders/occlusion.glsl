@@ -33,9 +33,7 @@ float penumbra(vec3 map, float start) {
         blockers += blocks;
         depths += blocks * depth;
     }
-    if (blockers == 0.0) {
-        return 0.0;
-    }
+    if (blockers == 0.0) return 0.0;
     float gap = (map.z - depths / blockers) * shadowSize.z;
     return clamp(sunHalfAngle * gap, max(0.008, 1.5 * shadowSize.y), search);
 }
@@ -48,14 +46,10 @@ float sunVisible(vec3 position, vec3 normal) {
     float slope = sqrt(max(1.0 - facing * facing, 0.0));
     vec3 lifted = position + outwards * (0.003 + 0.012 * slope + 1.5 * shadowSize.y);
     vec3 map = (shadowFromWorld * vec4(lifted, 1.0)).xyz * 0.5 + 0.5;
-    if (any(lessThan(map.xy, vec2(0.0))) || any(greaterThan(map.xy, vec2(1.0)))) {
-        return 1.0;
-    }
+    if (any(lessThan(map.xy, vec2(0.0))) || any(greaterThan(map.xy, vec2(1.0)))) return 1.0;
     float start = pixelAngle();
     float radius = penumbra(map, start) / shadowSize.x;
-    if (radius == 0.0) {
-        return 1.0;
-    }
+    if (radius == 0.0) return 1.0;
     // Ground beyond the far plane of the map is still behind everything that casts a shadow.
     float depth = min(map.z, 0.99999);
     float visible = 0.0;

@@ -8,9 +8,7 @@ out vec4 colour;
 
 void main() {
     float inside = 1.0 - dot(onPuff, onPuff);
-    if (inside <= 0.0) {
-        discard;
-    }
+    if (inside <= 0.0) discard;
     vec3 solid = placeBehind(ivec2(gl_FragCoord.xy));
     float beforeSolid = distance(solid, eye.xyz) - distance(position, eye.xyz);
     float reach = ball.w * sqrt(inside);

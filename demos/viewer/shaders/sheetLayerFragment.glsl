@@ -4,8 +4,6 @@ uniform sampler2D sceneDepth;
 out vec4 passing;
 
 void main() {
-    if (gl_FragCoord.z > texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r) {
-        discard;
-    }
+    if (gl_FragCoord.z > texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
     passing = vec4(transmittance);
 }

@@ -46,8 +46,6 @@ Relief knit(vec2 at) {
 
 Relief crossing(vec2 at) {
     float weave = threading.y;
-    if (weave < 0.5) {
-        return plainWeave(at);
-    }
+    if (weave < 0.5) return plainWeave(at);
     return weave < 1.5 ? twill(at) : knit(at);
 }

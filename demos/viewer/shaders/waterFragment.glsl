@@ -84,9 +84,7 @@ float firstMet(vec3 way) {
         float behindIt = distance(place, eye.xyz) - distance(seen, eye.xyz);
         if (behindIt > 0.0 && behindIt < thickness && inWater(seen)) {
             float met = firstHidden(way, float(i - 1) / float(steps), float(i) / float(steps));
-            if (isSeen(position + met * way)) {
-                return met;
-            }
+            if (isSeen(position + met * way)) return met;
         }
     }
     return 1.0;
@@ -123,9 +121,7 @@ bool hides(ivec2 pixel, vec3 place) {
     ivec2 last = textureSize(sceneDepth, 0) - 1;
     for (int i = 0; i < 4; ++i) {
         ivec2 corner = pixel + 2 * ivec2(i & 1, i >> 1) - 1;
-        if (hidesAlone(clamp(corner, ivec2(0), last), place)) {
-            return true;
-        }
+        if (hidesAlone(clamp(corner, ivec2(0), last), place)) return true;
     }
     return hidesAlone(pixel, place);
 }
@@ -134,16 +130,12 @@ bool hides(ivec2 pixel, vec3 place) {
 ivec2 clearPixelOf(vec3 place) {
     const ivec2 ways[4] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
     ivec2 pixel = pixelOf(place);
-    if (!hides(pixel, place)) {
-        return pixel;
-    }
+    if (!hides(pixel, place)) return pixel;
     ivec2 size = textureSize(scene, 0);
     int step = max(size.y / 120, 1);
     for (int i = 0; i < 16; ++i) {
         ivec2 other = clamp(pixel + (step << (i >> 2)) * ways[i & 3], ivec2(0), size - 1);
-        if (!hides(other, place)) {
-            return other;
-        }
+        if (!hides(other, place)) return other;
     }
     return pixel;
 }
@@ -187,9 +179,7 @@ vec3 mirroredScene(vec3 direction, float roughness) {
         vec3 place = position + far * direction;
         vec4 clip = clipFromWorld * vec4(place, 1.0);
         vec2 edge = abs(clip.xy / clip.w);
-        if (clip.w <= 0.0 || max(edge.x, edge.y) > 1.0) {
-            return around;
-        }
+        if (clip.w <= 0.0 || max(edge.x, edge.y) > 1.0) return around;
         vec3 seen = placeBehind(pixelOf(place));
         float behindIt = distance(place, eye.xyz) - distance(seen, eye.xyz);
         // Nothing on the far side of the surface is mirrored by it.
@@ -209,9 +199,7 @@ vec3 mirroredScene(vec3 direction, float roughness) {
 
 void main() {
     vec3 towardsEye = normalize(eye.xyz - position);
-    if (dot(normal, towardsEye) <= 0.0) {
-        discard;
-    }
+    if (dot(normal, towardsEye) <= 0.0) discard;
     bool onTop = normal.y > 0.5;
     vec3 facing = onTop ? rippled() : normal;
     vec3 into = refract(-towardsEye, facing, 1.0 / 1.33);
@@ -222,9 +210,7 @@ void main() {
     // Light came down through the water before it came up.
     float down = clamp(centre.y + extents.y - met.y, 0.0, 2.0 * extents.y);
     vec3 kept = exp(-absorption * (distance(met, position) + down));
-    if (inWater(placeBehind(pixel))) {
-        below *= mix(1.0, caustics(met, down), smoothstep(0.0, 0.1, down));
-    }
+    if (inWater(placeBehind(pixel))) below *= mix(1.0, caustics(met, down), smoothstep(0.0, 0.1, down));
     below = below * kept + scattered * (1.0 - kept);
 
     Surface s;
@@ -238,8 +224,6 @@ void main() {
     vec3 glint =
         sunLight() * sunVisible(position, normal) * facingSun * sunGlint(s, towardsEye, facingSun, facingEye);
     float share = fresnel(s.reflectance, facingEye);
-    if (onTop) {
-        share = mix(share, 0.75, meniscus());
-    }
+    if (onTop) share = mix(share, 0.75, meniscus());
     colour = vec4(below * (1.0 - share) + share * mirrored + toneMapped(glint), 1.0);
 }

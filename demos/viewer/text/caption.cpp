@@ -22,9 +22,7 @@ float heightOf(const std::string& line, float width) {
 
 float heightOf(const std::vector<std::string>& lines, float width) {
     float height = 0.0f;
-    for (const std::string& line : lines) {
-        height += heightOf(line, width);
-    }
+    for (const std::string& line : lines) height += heightOf(line, width);
     return height;
 }
 
@@ -38,9 +36,7 @@ float fontPixels(const Area& area) {
 }  // namespace
 
 void Caption::loadFont(float pixels) {
-    if (pixels == fontPixels_) {
-        return;
-    }
+    if (pixels == fontPixels_) return;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     fonts.Clear();
@@ -50,9 +46,7 @@ void Caption::loadFont(float pixels) {
 }
 
 void Caption::draw(const Picture& picture, const Area& area) {
-    if (picture.caption.empty() && !picture.legend) {
-        return;
-    }
+    if (picture.caption.empty() && !picture.legend) return;
     const ImGuiSession::Use use(session_);
     loadFont(fontPixels(area));
     // ImGui counts from the top: of the area, if what it draws to ends there.
@@ -70,9 +64,7 @@ void Caption::draw(const Picture& picture, const Area& area) {
         writeText(canvas, line, ImVec2(least.x + margin, top), fontPixels_, room);
         top += heightOf(line, room);
     }
-    if (picture.legend) {
-        drawLegend(canvas, *picture.legend, least, most, margin, picture.captionBelow);
-    }
+    if (picture.legend) drawLegend(canvas, *picture.legend, least, most, margin, picture.captionBelow);
     canvas.PopClipRect();
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

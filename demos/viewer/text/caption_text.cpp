@@ -13,11 +13,8 @@ void writeText(ImDrawList& canvas, const std::string& line, ImVec2 at, float siz
         canvas.AddText(ImGui::GetFont(), size, ImVec2(at.x + right, at.y + down), colour, begin, end, width);
     };
     const ImU32 dark = IM_COL32(10, 14, 20, 70);
-    for (const float right : {-rim, 0.0f, rim}) {
-        for (const float down : {-rim, 0.0f, rim}) {
-            write(right, down, dark);
-        }
-    }
+    for (const float right : {-rim, 0.0f, rim})
+        for (const float down : {-rim, 0.0f, rim}) write(right, down, dark);
     write(rim, rim, IM_COL32(10, 14, 20, 150));
     write(0.0f, 0.0f, IM_COL32(255, 255, 255, 255));
 }

@@ -26,12 +26,10 @@ constexpr std::array<ImWchar, 13> glyphRanges{0x0020, 0x00FF, 0x0370, 0x03FF, 0x
 
 void addReadableFont(ImFontAtlas& fonts, float pixels) {
     std::error_code ignored;
-    for (const char* file : fontFiles) {
+    for (const char* file : fontFiles)
         if (std::filesystem::exists(file, ignored) &&
-            fonts.AddFontFromFileTTF(file, pixels, nullptr, glyphRanges.data()) != nullptr) {
+            fonts.AddFontFromFileTTF(file, pixels, nullptr, glyphRanges.data()) != nullptr)
             return;
-        }
-    }
     ImFontConfig config;
     config.SizePixels = pixels;
     fonts.AddFontDefault(&config);

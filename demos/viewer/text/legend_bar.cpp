@@ -17,11 +17,8 @@ constexpr int parts = 4;
 // As many decimals as write the step exactly, or, where that takes more than three, two digits of it.
 int decimalsFor(float step) {
     float scaled = step;
-    for (int decimals = 0; decimals <= 3; ++decimals, scaled *= 10.0f) {
-        if (scaled >= 1.0f && std::abs(scaled - std::round(scaled)) < 1e-4f * scaled) {
-            return decimals;
-        }
-    }
+    for (int decimals = 0; decimals <= 3; ++decimals, scaled *= 10.0f)
+        if (scaled >= 1.0f && std::abs(scaled - std::round(scaled)) < 1e-4f * scaled) return decimals;
     return std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 0, 6);
 }
 

@@ -35,7 +35,7 @@ struct FrameTimes {
 };
 
 /// Made by the thread of the simulation, changed by nobody.
-struct Snapshot {
+struct FrameState {
     std::string scene;  ///< its name
     int run = 0;        ///< counts the scenes made so far
     int frame = 0;      ///< simulated in this run

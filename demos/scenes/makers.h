@@ -1,0 +1,15 @@
+// Makes the scenes on the list, each of which is in the file of its name.
+#pragma once
+
+#include <memory>
+
+#include "stage/scene.h"
+
+namespace drench::demo {
+
+using SceneMaker = std::unique_ptr<Scene>(const SceneOptions&);
+
+SceneMaker makeCling, makeClothesline, makeDip, makeDrape, makeDrapeMeter, makeFlag, makeHalfUnderRoof,
+    makeSlide, makeSpill, makeStockAndDrench, makeTenSteps, makeWick;
+
+}  // namespace drench::demo
