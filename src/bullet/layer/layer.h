@@ -28,7 +28,6 @@
 #include "bullet/world/body_watch.h"
 #include "bullet/world/post_tick.h"
 #include "bullet/world/pre_tick.h"
-#include "drench/drop.h"
 #include "drench/moisture.h"
 #include "drench/snapshot.h"
 #include "drench/source.h"
