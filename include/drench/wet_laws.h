@@ -30,7 +30,7 @@ class DRENCH_API WetLaws {
     double mass(double area, double water) const { return area * arealDensity_ + water; }
 
     /// Softening of the fibre by bound water, 0 to 1: moisture content over the bound maximum, at most 1.
-    /// @param content  moisture content, kg of water per kg of dry cloth
+    /// @param content  kg of water per kg of dry cloth
     double softening(double content) const;
 
     /// Stretch and shear stiffness over the dry value, dimensionless: 1 + (wet ratio - 1) softening.

@@ -11,7 +11,7 @@
 
 namespace drench {
 
-/// Options for reading an OBJ file.
+/// Options for OBJ files.
 struct MeshReading {
     /// Length of one unit of the file, m; 1e-6 to 1e6; default 1.
     double scale = 1;
