@@ -1,7 +1,7 @@
 // A simulation as it was after a frame, for eyes and panel to look at while it goes on.
 #pragma once
 
-#include <drench/ledger.h>
+#include <drench/moisture.h>
 
 #include <optional>
 #include <string>

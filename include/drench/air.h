@@ -8,27 +8,28 @@ namespace drench {
 
 class WindField;  // see wind.h
 
-/// Weather as one sheet feels it; may be changed between steps.
+/// Weather around one sheet. May be changed between steps.
 struct Air {
-    /// Velocity of the undisturbed air, m/s; at most 1e4, default still.
+    /// Velocity of the undisturbed air, m/s; at most 1e4; default 0.
     Eigen::Vector3d wind = Eigen::Vector3d::Zero();
-    double temperature = 20;  ///< degrees Celsius, 0 to 60; default standard climate
-    double humidity = 0.65;   ///< relative, 0 to 1; default standard climate
+    double temperature = 20;  ///< degrees Celsius; 0 to 60; default 20 (standard climate)
+    double humidity = 0.65;   ///< relative humidity; 0 to 1; default 0.65 (standard climate)
 
-    /// How freely vapour passes between cloth and air, 1; 0 (as if wrapped: nothing dries) to 1, the default.
+    /// Factor on the vapour exchange between cloth and air, dimensionless; 0 (sealed, nothing dries) to 1 (free);
+    /// default 1.
     double vapourExchange = 1;
 
-    /// What the air does from place to place and from moment to moment, such as `Gusts`; its velocity comes on
-    /// top of `wind`. Its time is that of the body since its WetCloth was made. Read at up to 6 x 6 x 6 points
-    /// around the sheet, between which it is interpolated. May be shared by sheets. Default none.
+    /// Wind that varies in space and time, such as `Gusts`; its velocity is added to `wind`. Default none.
+    /// Its time is the body's time since its WetCloth was made. It is evaluated at up to 6 x 6 x 6 points around
+    /// the sheet and interpolated between them. Sheets may share one.
     std::shared_ptr<const WindField> field = nullptr;
 
-    /// How far upwind a solid body keeps the wind off, m; 0, the default (nothing does), to 1000. A few times
-    /// the body's height is natural. The share of the wind that passes grows evenly with the distance of the
-    /// body, from nothing just behind it to all of it from this length on, and follows within some 0.3 s
-    /// (both assumed). Patches of cloth, of 16 nodes or a 256th of the sheet, ask in turns, 32 in a step, each
-    /// with one ray from its middle: things that are narrower than a patch may be missed. Other cloth, and
-    /// things without contact response (triggers), keep nothing off.
+    /// Length of the wind shadow behind a solid body, m; 0 (no shelter) to 1000; default 0. A few times the body's
+    /// height is realistic. Directly behind the body there is no wind; the wind grows linearly with the distance
+    /// and has its full speed from this length on. Changes take effect with a time constant of about 0.3 s (both
+    /// assumed). The sheet is divided into patches of 16 nodes, or of 1/256 of its nodes if that is more; each step
+    /// casts one ray from the middle of each of 32 patches, in turn. Bodies narrower than a patch may be missed.
+    /// Soft bodies, and objects without contact response (triggers), give no shelter.
     double shelterLength = 0;
 };
 

@@ -1,4 +1,4 @@
-// What a cloth is made of. A Fabric never changes while a simulation runs and may be shared by many sheets.
+// Properties of a fabric. A Fabric does not change while a simulation runs; many sheets may share one.
 #pragma once
 
 #include <string>
@@ -6,152 +6,152 @@
 #include <utility>
 #include <vector>
 
-#include "drench/export.h"
+#include "drench/config.h"
 
 namespace drench {
 
-/// Where a number comes from.
+/// Where a value comes from.
 enum class Provenance {
-    measured,  ///< published measurement; the source says whose
-    textbook,  ///< follows from a textbook formula out of other values
-    assumed,   ///< our choice, plausible but not measured
+    measured,  ///< published measurement; `Quantity::source` names it
+    textbook,  ///< computed from other values by a textbook formula
+    assumed,   ///< chosen for Drench; plausible, not measured
     given      ///< set by the application
 };
 
 /// "measured", "textbook", "assumed" or "given".
 DRENCH_API std::string_view toString(Provenance provenance);
 
-/// A number of a fabric together with where it comes from. Reads as a double; assigning a plain number
-/// marks it as given by the application.
+/// One value of a fabric with its provenance. Converts to double; a plain number that is assigned to it is marked
+/// as given by the application.
 struct Quantity {
     double value = 0;                           ///< in the unit of its parameter
-    Provenance provenance = Provenance::given;  ///< where it comes from
-    std::string source;  ///< author and year, or the reason; may be empty unless measured
+    Provenance provenance = Provenance::given;  ///< where the value comes from
+    std::string source;  ///< author and year, or the reason; must not be empty if measured
 
     Quantity() = default;
     /// A value given by the application.
     Quantity(double v) : value(v) {}
-    /// A value with where it comes from.
+    /// A value with its provenance and source.
     Quantity(double v, Provenance p, std::string s) : value(v), provenance(p), source(std::move(s)) {}
     /// The value alone.
     operator double() const { return value; }
 };
 
-/// How the threads of a cloth hold together.
+/// How a cloth is made from threads.
 enum class Construction {
-    plainWeave,  ///< each thread over one and under one
-    twill,       ///< each thread over several and under one, a step aside from row to row
-    knit         ///< loops of one thread through those of the row before
+    plainWeave,  ///< each thread passes over one and under one
+    twill,       ///< each thread passes over several and under one, shifted by one from row to row
+    knit         ///< loops, each pulled through one of the row before
 };
 
 /// "plain weave", "twill" or "knit".
 DRENCH_API std::string_view toString(Construction construction);
 
-/// A woven or knitted cloth in textile units, dry and wet.
+/// A woven or knitted cloth, dry and wet.
 ///
-/// The defaults are those of `fabrics::cottonPlain()`. Change what you know of your own cloth and hand it to
-/// `makeSheet` or `WetCloth`; both call `validate`. Warp is the direction of material coordinate u, weft that of v.
-/// "Wet" means that the bound water is at its maximum. A star marks parameters that no law of this version uses yet.
+/// The defaults are those of `fabrics::cottonPlain()`, given below as "cotton". Change what you know about your own
+/// cloth and pass it to `makeSheet` or `WetCloth`; both call `validate`. The warp is the direction of material
+/// coordinate u, the weft that of v. Bound water softens the fibre; "wet" means that it is at its maximum. A star (*)
+/// marks parameters that this version does not use.
 struct DRENCH_API Fabric {
-    std::string name = "cotton plain";  ///< for messages and files; not empty
+    std::string name = "cotton plain";  ///< used in messages and files; not empty
 
     // Construction
     Quantity arealDensity;  ///< mass of dry cloth per area, kg/m2; 0.01 to 3; cotton 0.150
     Quantity thickness;     ///< m; 2e-5 to 0.02; cotton 0.318e-3
-    Quantity fibreDensity;  ///< mass of the fibre itself per volume, kg/m3; 700 to 8000; cotton 1520
-    Construction construction = Construction::plainWeave;  ///< for the looks alone
-    Quantity
-        threadSpacing;  ///< from one thread or wale to the next, for the looks alone, m; 5e-5 to 0.02; cotton 3.5e-4
+    Quantity fibreDensity;  ///< density of the fibre without pores, kg/m3; 700 to 8000; cotton 1520
+    Construction construction = Construction::plainWeave;  ///< affects rendering only
+    /// Distance between neighbouring threads or wales, m; 5e-5 to 0.02; cotton 3.5e-4. Affects rendering only.
+    Quantity threadSpacing;
 
     // Water
-    Quantity regain;            ///< water held in air of 65 % humidity, kg/kg; 0 to 0.5; cotton 0.075
-    Quantity boundMaximum;      ///< water that softens the fibre, at most, kg/kg; 0.001 to 1; cotton 0.22
-    Quantity wettingTime;       ///< time constant from film to pores, s; 1e-3 to 1e5; cotton 2
-    Quantity contactAngle;      ///< of water on the fibre, degrees; 0 to 179; cotton 41 *
-    Quantity entryPressure;     ///< at which pores start to empty, Pa; 1 to 1e5; cotton 1200
-    Quantity permeabilityWarp;  ///< saturated, to water along the warp, m2; 1e-16 to 1e-8; cotton 2e-11
-    Quantity permeabilityWeft;  ///< the same along the weft
-    Quantity poreSizeIndex;     ///< Brooks-Corey exponent L of the pore sizes, 1; 0.2 to 10; cotton 1
+    Quantity regain;            ///< moisture content in air of 65 % humidity, kg/kg; 0 to 0.5; cotton 0.075
+    Quantity boundMaximum;      ///< largest content of bound water, kg/kg; 0.001 to 1; cotton 0.22
+    Quantity wettingTime;       ///< time constant of absorption from film to pores, s; 1e-3 to 1e5; cotton 2
+    Quantity contactAngle;      ///< of water on the fibre, degrees; 0 to 179; cotton 41 (*)
+    Quantity entryPressure;     ///< suction at which pores start to empty, Pa; 1 to 1e5; cotton 1200
+    Quantity permeabilityWarp;  ///< to water along the warp, saturated, m2; 1e-16 to 1e-8; cotton 2e-11
+    Quantity permeabilityWeft;  ///< to water along the weft; same unit, range and default
+    Quantity poreSizeIndex;     ///< Brooks-Corey pore size index L, dimensionless; 0.2 to 10; cotton 1
 
     // Mechanics, dry
-    Quantity stretchWarp;  ///< tension per width and strain, N/m; 1 to 1e6; cotton 2000
+    Quantity stretchWarp;  ///< tension per width over strain, N/m; 1 to 1e6; cotton 2000
     Quantity stretchWeft;  ///< the same along the weft
-    Quantity shear;        ///< force per width and angle, N/m; 0.1 to 1e6, below both stretches; cotton 60
-    Quantity bending;      ///< bending rigidity per width B, N m; 1e-9 to 1; cotton 1.16e-5
-    Quantity bendingFriction;  ///< moment per width that friction holds, HB, N; 0 to 1; cotton 6e-4
+    Quantity shear;    ///< force per width over shear angle, N/m; 0.1 to 1e6, below both stretches; cotton 60
+    Quantity bending;  ///< bending rigidity per width B, N m; 1e-9 to 1; cotton 1.16e-5
+    Quantity bendingFriction;  ///< friction moment per width HB, N; 0 to 1; cotton 6e-4
 
-    // Mechanics, wet over dry
-    Quantity wetStretchRatio;          ///< of stretch and shear, 1; 0.01 to 10; cotton 0.6
-    Quantity wetBendingRatio;          ///< of the bending rigidity, 1; 0.01 to 10; cotton 0.6
-    Quantity wetBendingFrictionRatio;  ///< of the bending friction, 1; 0.01 to 10; cotton 1.7
+    // Mechanics, ratios of wet to dry
+    Quantity wetStretchRatio;          ///< of stretch and shear, dimensionless; 0.01 to 10; cotton 0.6
+    Quantity wetBendingRatio;          ///< of the bending rigidity, dimensionless; 0.01 to 10; cotton 0.6
+    Quantity wetBendingFrictionRatio;  ///< of the bending friction, dimensionless; 0.01 to 10; cotton 1.7
 
-    // Touch
-    Quantity plateFrictionDry;     ///< friction coefficient on a smooth plate, 1; 0 to 5; cotton 0.25
-    Quantity plateFrictionDamp;    ///< the same at its damp peak; cotton 0.9
-    Quantity plateFrictionSoaked;  ///< the same when a film lubricates; cotton 0.4
-    Quantity skinFrictionDry;      ///< friction coefficient on skin, 1; 0 to 5; cotton 0.45
-    Quantity skinFrictionDamp;     ///< the same at its damp peak; cotton 1.2
-    Quantity skinFrictionSoaked;   ///< the same when a film lubricates; cotton 0.9
-    Quantity clingEnergy;  ///< to peel wet cloth off a wettable surface, J/m2; 0 to 0.146; cotton 0.13
+    // Friction and adhesion
+    Quantity plateFrictionDry;     ///< friction coefficient on a smooth plate; 0 to 5; cotton 0.25
+    Quantity plateFrictionDamp;    ///< the same for damp cloth, the maximum; cotton 0.9
+    Quantity plateFrictionSoaked;  ///< the same when lubricated by a film; cotton 0.4
+    Quantity skinFrictionDry;      ///< friction coefficient on skin; 0 to 5; cotton 0.45
+    Quantity skinFrictionDamp;     ///< the same for damp cloth, the maximum; cotton 1.2
+    Quantity skinFrictionSoaked;   ///< the same when lubricated by a film; cotton 0.9
+    Quantity clingEnergy;  ///< energy to peel wet cloth off a wettable surface, J/m2; 0 to 0.146; cotton 0.13
 
     // Air
     Quantity airPermeabilityDry;        ///< air speed through dry cloth at 100 Pa, m/s; 0 to 10; cotton 0.1
     Quantity airPermeabilitySaturated;  ///< the same with full pores, m/s; 0 to the dry value; cotton 0.005
 
-    // Looks
-    Quantity albedoRed;       ///< diffuse reflectance, dry, linear, 1; 0.001 to 0.99; cotton 0.20
+    // Rendering
+    Quantity albedoRed;       ///< diffuse reflectance of dry cloth, linear; 0.001 to 0.99; cotton 0.20
     Quantity albedoGreen;     ///< the same, green; cotton 0.31
     Quantity albedoBlue;      ///< the same, blue; cotton 0.46
-    Quantity scattering;      ///< scattering power S h of the dry cloth, 1; 0.01 to 1000; cotton 6
-    Quantity scatteringLoss;  ///< factor q by which scattering falls when wet, 1; 1 to 100; cotton 8
+    Quantity scattering;      ///< scattering power S h of dry cloth, dimensionless; 0.01 to 1000; cotton 6
+    Quantity scatteringLoss;  ///< scattering power of dry over wet cloth, dimensionless; 1 to 100; cotton 8
 
     /// A cotton plain weave; see `fabrics::cottonPlain()`.
     Fabric();
 
-    /// Share of the cloth's volume that is not fibre, 1: 1 - arealDensity / (fibreDensity thickness)
+    /// Fraction of the cloth's volume that is not fibre, dimensionless: 1 - arealDensity / (fibreDensity thickness)
     /// (textbook; Morton & Hearle 2008).
     double porosity() const;
 
-    /// Water that the pores hold when full, kg per m2 of cloth: water density x porosity x thickness.
+    /// Water in full pores, kg per m2 of cloth: water density x porosity x thickness.
     double poreCapacity() const;
 };
 
-/// One parameter of a fabric: its name as in `Fabric`, unit, range, and where it sits.
+/// Description of one parameter of `Fabric`.
 struct FabricParameter {
     std::string_view name;     ///< as in `Fabric`
-    std::string_view unit;     ///< such as "N/m"; "1" for a number without
-    double minimum;            ///< in that unit
-    double maximum;            ///< in that unit
-    Quantity Fabric::*member;  ///< where it sits
+    std::string_view unit;     ///< such as "N/m"; "1" if dimensionless
+    double minimum;            ///< smallest allowed value, in that unit
+    double maximum;            ///< largest allowed value, in that unit
+    Quantity Fabric::*member;  ///< pointer to the member
 };
 
-/// Every parameter of `Fabric`, in the order of its declaration.
+/// All parameters of `Fabric`, in the order of declaration.
 DRENCH_API const std::vector<FabricParameter>& fabricParameters();
 
-/// Checks every parameter for a finite value within its range, and those that depend on each other: porosity from 0.01
-/// to 0.999, bound maximum at least 1.6 times the regain, shear below both stretches, saturated air permeability not
-/// above the dry one.
+/// Checks that every parameter is finite and in its range, and that they fit each other: porosity from 0.01 to 0.999,
+/// bound maximum at least 1.6 times the regain, shear below both stretch values, saturated air permeability not above
+/// the dry one.
 /// @throws std::invalid_argument that names the fabric, the parameter, its value and the range.
 DRENCH_API void validate(const Fabric& fabric);
 
-/// Ready fabrics. Every value carries its provenance.
+/// Ready-made fabrics. Every value has its provenance.
 namespace fabrics {
 
-DRENCH_API Fabric cottonPlain();     ///< plain-weave scoured cotton shirting, 150 g/m2
-DRENCH_API Fabric polyesterPlain();  ///< plain-weave polyester, 120 g/m2: hardly takes water into its fibres
-DRENCH_API Fabric polyesterTropical();  ///< polyester suiting, 117 g/m2: its bending and drape are measured
-DRENCH_API Fabric wool();               ///< wool suiting, 200 g/m2: wets slowly
+DRENCH_API Fabric cottonPlain();        ///< plain-weave scoured cotton shirting, 150 g/m2
+DRENCH_API Fabric polyesterPlain();     ///< plain-weave polyester, 120 g/m2; its fibres bind hardly any water
+DRENCH_API Fabric polyesterTropical();  ///< polyester suiting, 117 g/m2; bending and drape are measured
+DRENCH_API Fabric wool();               ///< wool suiting, 200 g/m2; wets slowly
 DRENCH_API Fabric linen();              ///< linen, 180 g/m2
 DRENCH_API Fabric silk();               ///< silk, 70 g/m2
 DRENCH_API Fabric nylonTaffeta();       ///< dense nylon taffeta, 70 g/m2
 DRENCH_API Fabric denim();              ///< 11 oz cotton denim, 324 g/m2
-DRENCH_API Fabric jersey();             ///< cotton single jersey, 160 g/m2: a knit that gives way easily
+DRENCH_API Fabric jersey();             ///< cotton single jersey, 160 g/m2; a knit that stretches easily
 
-/// Names that `byName` knows, in the order above: cotton, polyester, tropical, wool, linen, silk, nylon, denim,
-/// jersey.
+/// Names for `byName`, in the order above: cotton, polyester, tropical, wool, linen, silk, nylon, denim, jersey.
 DRENCH_API const std::vector<std::string>& names();
 
-/// The preset of that name. @throws std::invalid_argument that lists the names there are.
+/// The fabric of that name. @throws std::invalid_argument that lists the names, for an unknown one.
 DRENCH_API Fabric byName(std::string_view name);
 
 }  // namespace fabrics

@@ -1,4 +1,4 @@
-// Drops on their way down: from a sheet to another sheet, a body or the ground.
+// Drops that have left a sheet and fall onto another sheet, a body or the ground.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
@@ -8,68 +8,66 @@
 #include <memory>
 #include <vector>
 
-#include "drench/drop.h"
-#include "drench/export.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 #include "drench/state.h"
 #include "drench/wet_cloth.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Takes the drops of some sheets, lets them fall freely, and wets the sheet on which they land, with their
-/// momentum, in its account "drops". Drops of a sheet whose water runs faster than mechanics fall as often as
-/// that, but push only as in mechanical time. Optional: an application may as well draw the drops of
-/// WetCloth::takeDrops itself, or ignore them.
+/// Simulates the drops of a group of sheets in free fall, without drag. A sheet on which drops land gets their water
+/// and momentum, in its account "drops". With a `SheetSettings::waterSpeed` above 1 more drops fall, and their momentum
+/// is divided by it. Optional: an application may draw the drops of `WetCloth::takeDrops` itself, or ignore them.
 class DRENCH_API FallingDrops {
   public:
-    /// Drops that fall together.
+    /// Drops that fall together, as one.
     struct Flight {
         Eigen::Vector3d position;  ///< m
         Eigen::Vector3d velocity;  ///< m/s
         double mass;               ///< of each drop, kg
-        std::int64_t count;        ///< of drops
-        double age;                ///< since they let go, s
+        std::int64_t count;        ///< number of drops
+        double age;                ///< time since they left the cloth, s
     };
-    /// Drops that landed together on something other than a sheet of these.
+    /// Drops that landed together on something other than one of the sheets.
     struct Landing {
         Eigen::Vector3d position;         ///< m
-        double mass;                      ///< of all of them, kg
-        const btCollisionObject* object;  ///< what it landed on
+        double mass;                      ///< of all of them together, kg
+        const btCollisionObject* object;  ///< what they landed on
     };
 
-    /// @param world  that the sheets are in; must outlive this
+    /// @param world  world of the sheets; must outlive this object
     /// @throws std::invalid_argument for a world without soft bodies
     explicit FallingDrops(btDiscreteDynamicsWorld& world);
     ~FallingDrops();
     FallingDrops(const FallingDrops&) = delete;
     FallingDrops& operator=(const FallingDrops&) = delete;
 
-    /// Drops fall from this sheet from now on, and land on it. It may end at any time. @pre its world is this one's
+    /// Adds a sheet: its drops are taken from now on, and drops may land on it. It may be destroyed at any time.
+    /// @pre it is in the world given to the constructor
     void add(WetCloth& cloth);
 
-    /// Takes new drops and moves all for `dt` seconds; call it once a frame, after the world's step. Solid
-    /// bodies are met by Bullet's ray test, sheets face by face. A drop that has fallen for 20 s is lost.
+    /// Takes new drops and moves all drops by `dt` seconds. Call it once per frame, after the world's step. Hits on
+    /// bodies are found by Bullet's ray test, hits on sheets face by face. A drop is lost after 20 s.
     /// @throws std::invalid_argument for a dt that is negative or not finite
     void step(double dt);
 
     /// Drops in the air, oldest first.
     const std::vector<Flight>& inFlight() const { return flights_; }
-    /// What landed in the last step elsewhere than on a sheet.
+    /// Drops that landed in the last step, but not on one of the sheets.
     const std::vector<Landing>& landed() const { return landed_; }
-    /// What landed on sheets, of all drops that were taken, kg.
+    /// Total mass of drops that landed on the sheets so far, kg.
     double massOnSheets() const { return massOnSheets_; }
-    /// What landed elsewhere, kg.
+    /// Total mass that landed elsewhere, kg.
     double massElsewhere() const { return massElsewhere_; }
-    /// What was lost, kg.
+    /// Total mass that was lost, kg.
     double massLost() const { return massLost_; }
 
-    /// Writes down the drops in the air and what has become of the others; `landed` starts anew. They go with snapshots
-    /// of the sheets, of the same moment.
+    /// Saves the drops in flight and the totals, but not `landed`. To be used together with snapshots of the sheets at
+    /// the same moment.
     void save(StateWriter& writer) const;
-    /// Takes that up, where the same sheets were added in the same order.
-    /// @throws std::runtime_error for what `save` cannot have written, or drops of a sheet that is not here; all is
-    ///     then as before
+    /// Loads what `save` has written. The same sheets must have been added in the same order.
+    /// @throws std::runtime_error if `save` cannot have written it, or a drop belongs to a sheet that was not added;
+    ///     nothing is then changed
     void load(StateReader& reader);
 
   private:
@@ -81,7 +79,7 @@ class DRENCH_API FallingDrops {
 
     btDiscreteDynamicsWorld& world_;
     std::unique_ptr<Sheets> sheets_;
-    std::unique_ptr<Origins> origins_;  // where the flights began, one each
+    std::unique_ptr<Origins> origins_;  // of each flight
     std::vector<Flight> flights_;
     std::vector<Landing> landed_;
     double massOnSheets_ = 0;

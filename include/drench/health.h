@@ -1,83 +1,98 @@
-// How a sheet does, what has gone wrong with it, and what Drench does about that.
+// Diagnostics of a sheet: its mechanical state, problems that were found and repaired, and computing times.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
+
+/// Computing times of the steps of one sheet, totals since its WetCloth was made, s of a steady clock. The time of a
+/// frame is the difference of two of these. Measuring takes about a microsecond per substep. Time that the sheets of a
+/// world spend together is divided equally among them.
+struct StepTimes {
+    double supply = 0;          ///< sources
+    double water = 0;           ///< evaporation, absorption, wicking, film flow, dripping
+    double laws = 0;            ///< masses and stiffness, computed from the water
+    double air = 0;             ///< wind at the nodes, forces of air and pools
+    double contacts = 0;        ///< with solids and sheets; without small steps only friction and cling
+    double solver = 0;          ///< links, bending and motion in small steps; 0 without a SmallStepSolver
+    std::int64_t substeps = 0;  ///< number of Bullet's substeps
+};
+
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// What a WetCloth does where something goes wrong with its sheet while the world runs. docs/health.md lists
-/// what that can be.
+/// What a WetCloth does when it finds a problem (see `Trouble`) while the world runs.
 enum class OnTrouble {
-    /// It mends what it can, leaves the rest out, goes on, and says so in `WetCloth::troubles`. Default.
+    /// It repairs or ignores the faulty value, continues, and reports it in `WetCloth::troubles`. Default.
     carryOn,
-    /// The step throws, out of stepSimulation or `WetCloth::preSubstep`, until the application has mended it: for
-    /// development and tests. Nothing of the sheet has then changed.
+    /// stepSimulation or `WetCloth::preSubstep` throws, with the sheet unchanged, until the application has removed the
+    /// cause. For development and tests.
     throwError
 };
 
-/// What can go wrong with a sheet.
+/// Problems that a WetCloth finds, and how it repairs them. docs/health.md says more.
 enum class Trouble {
-    /// A node was nowhere finite, or over 1e7 m off: it went back, at rest, to its last place.
+    /// The position of a node was not finite or more than 1e7 m from the origin: it was reset to its last valid
+    /// position, with velocity 0.
     position,
-    /// The velocity of a node was not finite, or over 1e6 m/s along an axis: the node came to rest.
+    /// The velocity of a node was not finite or above 1e6 m/s along an axis: it was set to 0.
     velocity,
-    /// The force on a node was not finite: it was left out.
+    /// The force on a node was not finite: it was ignored.
     force,
-    /// The inverse mass of a node was not finite, or negative: it got that of its cloth and water.
+    /// The inverse mass of a node was not finite or negative: it was set to that of its cloth and water.
     mass,
-    /// The small steps of a substep took a node nowhere finite, or over 1e7 m off: the sheet stayed where it was, at rest.
+    /// The small steps of a substep produced a position that is not finite or more than 1e7 m from the origin: the
+    /// sheet stayed where it was, with velocity 0.
     motion,
-    /// Gravity was not finite, or over 1e4 m/s2: the world info got the last usable one.
+    /// The gravity of the world info was not finite or above 1e4 m/s2: it was reset to its last valid value.
     gravity,
-    /// A setting of the body, in m_cfg or its rest length scale, was out of range: it got Bullet's default.
+    /// A setting in the body's m_cfg, or its rest length scale, was out of range: it was set to Bullet's default.
     bodySetting,
-    /// WetCloth::air was out of range, or its field: the last usable air counted instead.
+    /// `WetCloth::air` was out of range, or its wind field was, or threw: the last valid air was used.
     air,
-    /// A source threw: it brought no more in that substep.
+    /// A source threw: its turn ended there; what it had brought before stays.
     source,
-    /// The body's nodes, links or faces changed to what is no cloth: the sheet is Bullet's, its water stands still.
+    /// The body's nodes, links or faces changed to something that is not a valid cloth: Drench no longer simulates the
+    /// body, and its water is frozen.
     topology
 };
 
-/// One kind of trouble of one sheet, since its WetCloth was made or its reports were cleared.
+/// All occurrences of one kind of trouble, since the WetCloth was made or `WetCloth::clearTroubles` was called.
 struct TroubleReport {
-    Trouble what;         ///< its kind
-    std::string message;  ///< what, where, and how to mend it, as of the last time
-    int node;             ///< that had it the last time, the first of several; -1 where it is not of one node
-    double value;         ///< the offending one of the last time; 0 where there is none
-    double since;         ///< when it came first, s of the body's time since the WetCloth was made
-    double last;          ///< when it came last, s
-    std::int64_t firstSubstep;  ///< number of the substep in which it came first, from 0
-    std::int64_t lastSubstep;   ///< and last
-    std::int64_t substeps;      ///< in how many substeps it came
+    Trouble what;         ///< kind
+    std::string message;  ///< latest occurrence: what, where, and how to prevent it
+    int node;             ///< latest occurrence: its node, the first of several; -1 if not tied to a node
+    double value;         ///< latest occurrence: the invalid value; 0 if there is none
+    double since;         ///< time of the first occurrence, s of the body's time since the WetCloth was made
+    double last;          ///< time of the latest occurrence, s
+    std::int64_t firstSubstep;  ///< substep of the first occurrence, counted from 0
+    std::int64_t lastSubstep;   ///< substep of the latest occurrence
+    std::int64_t substeps;      ///< number of substeps in which it occurred
 };
 
-/// How a sheet does mechanically, as of now.
+/// Mechanical diagnostics, at the time of the call.
 struct SheetHealth {
-    /// Whether all positions and velocities of the body are finite. If not, the next step mends that, or throws;
-    /// see `OnTrouble`.
+    /// Whether all positions and velocities of the body are finite. If not, the next step repairs them or throws; see
+    /// `OnTrouble`.
     bool finite;
-    /// The largest |length / rest length - 1| of a stretch or shear link, 1.
+    /// Largest |length / rest length - 1| of all stretch and shear links, dimensionless.
     double largestStrain;
-    /// How deep the deepest node is in a solid that it touched in the last substep, m; 0 if none is inside.
+    /// Largest depth of a node inside a solid that it touched in the last substep, m; 0 if none is inside.
     double deepestPenetration;
     /// `WetCloth::stepBound`, s.
     double stepBound;
-    /// Small steps of the last substep; 0 where no SmallStepSolver moves the sheet.
+    /// Number of small steps of the last substep; 0 without a SmallStepSolver.
     int smallSteps;
-    /// Substeps, since the WetCloth was made, whose small steps took a node nowhere finite, or over 1e7 m off, so that the
-    /// sheet stayed where it was, at rest. 0 but for forces or obstacles beyond all measure.
+    /// Number of substeps with `Trouble::motion` since the WetCloth was made. 0 unless forces or obstacles are extreme.
     int heldSubsteps;
-    /// Whether the body is the cloth that the WetCloth knows. If not, strain and penetration are 0, and the next
-    /// step fits the WetCloth to it; see `WetCloth`.
+    /// Whether the WetCloth is up to date with the topology of the body. If not, strain and penetration are 0, and the
+    /// next step adapts the WetCloth; see docs/health.md.
     bool fits;
-    /// How many times it has been fitted to a body that was cut.
+    /// Number of times that the WetCloth was adapted to a body that had been cut, refined or extended.
     int refits;
-    /// Kinds of trouble there have been; see `WetCloth::troubles`.
+    /// Number of reports in `WetCloth::troubles`.
     int troubles;
 };
 

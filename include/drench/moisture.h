@@ -1,5 +1,5 @@
-// The water in the nodes of one sheet: two stores a node, pores and film, and what moves between them,
-// between nodes and into the air. Knows nothing of Bullet.
+// The water in one sheet: pore water and film of each node, their exchange with each other, between nodes and with the
+// air, and the water balance. Independent of Bullet.
 #pragma once
 
 #include <cstddef>
@@ -9,112 +9,137 @@
 #include <vector>
 
 #include "drench/cloth_mesh.h"
-#include "drench/export.h"
+#include "drench/config.h"
 #include "drench/fabric.h"
-#include "drench/ledger.h"
 
 namespace drench {
 
 class StatePass;
 
-/// What the water of a sheet meets during a step.
-struct Surroundings {
-    std::vector<float>
-        heights;  ///< of each node, upwards, m; only differences count; empty: level, nothing runs or drips
-    double gravity = 0;  ///< m/s2, at least 0; default weightless
-    double dryingRate =
-        0;  ///< of a sheet wet on both faces, kg/(m2 s); 0, the default: nothing passes to or from the air
-    double humidity = 0.65;  ///< of the air, 0 to below 1; matters only with a drying rate
+/// Total water of one source, kg.
+struct Account {
+    std::string name;     ///< of the source; "application" for water that the application added itself
+    double supplied = 0;  ///< brought
+    double returned = 0;  ///< taken back, as a pool, a wet body or another sheet does
 };
 
-/// State of the water in a sheet.
+/// Water balance of one sheet: totals since it was made, kg.
+/// supplied = held + dripped + evaporated + returned, to rounding (see `imbalance`).
+struct Ledger {
+    double supplied = 0;            ///< brought by all sources, humid air among them
+    double held = 0;                ///< in pores and film now
+    double dripped = 0;             ///< fallen off in drops
+    double evaporated = 0;          ///< lost to the air
+    double returned = 0;            ///< taken back by sources
+    std::vector<Account> accounts;  ///< one for each name of a source, removed sources included
+
+    /// supplied - held - dripped - evaporated - returned, kg; a few rounding errors of `supplied`.
+    double imbalance() const { return supplied - held - dripped - evaporated - returned; }
+};
+
+/// Conditions around a sheet during a step.
+struct Surroundings {
+    /// Height of each node, m; only differences matter. Empty, the default: all equal, nothing runs or drips.
+    std::vector<float> heights;
+    double gravity = 0;  ///< m/s2; at least 0; default 0
+    /// Evaporation of a sheet that is wet on both faces, kg/(m2 s); at least 0. 0, the default: no exchange with the
+    /// air, in either direction.
+    double dryingRate = 0;
+    double humidity =
+        0.65;  ///< relative humidity of the air; 0 to below 1; default 0.65; used with a drying rate
+};
+
+/// The water in a sheet.
 ///
-/// Pore water sits between the fibres, up to `poreCapacity(i)`; film water stands on the two faces. Masses
-/// are kept in double, so that a million small steps lose nothing that the ledger would notice; what is
-/// derived from them is single precision.
+/// Each node has pore water, between the fibres, up to `poreCapacity(node)`, and film water, on the two faces. Masses
+/// are in double precision, so that the ledger stays balanced over a million steps.
 class DRENCH_API Moisture {
   public:
-    /// Drops that fell from a node within one step.
+    /// Drops that fell from one node in one step.
     struct Shed {
-        std::size_t node;    ///< index of it
-        std::int64_t drops;  ///< of `dropMass` kg each
+        std::size_t node;    ///< index of the node
+        std::int64_t drops;  ///< number of drops, of `dropMass` kg each
     };
 
     /// A dry sheet.
-    /// @throws std::invalid_argument for a fabric or a mesh out of range.
+    /// @throws std::invalid_argument for a fabric or mesh that `validate` refuses
     Moisture(const Fabric& fabric, const ClothMesh& mesh);
     ~Moisture();
-    Moisture(Moisture&&) noexcept;  ///< Takes over the water; the other may be destroyed or assigned to.
-    Moisture& operator=(Moisture&&) noexcept;  ///< The same.
+    Moisture(Moisture&&) noexcept;             ///< The other may then only be destroyed or assigned to.
+    Moisture& operator=(Moisture&&) noexcept;  ///< The other may then only be destroyed or assigned to.
     Moisture(const Moisture&) = delete;
     Moisture& operator=(const Moisture&) = delete;
 
-    /// Number of nodes. Every `node` below is an index less than that; else std::out_of_range, where a call checks it.
+    /// Number of nodes. Every `node` below must be less than that.
     std::size_t size() const { return areas_.size(); }
 
-    /// Opens an account, or finds the one of that name. @return its number, for the calls below; 0 is
-    /// "application", 1 "humid air"
+    /// Finds the account of that name, or opens one.
+    /// @return its number, for the calls below; 0 is "application", 1 is "humid air"
     std::size_t openAccount(std::string name);
 
-    /// Puts `mass` kg of water, 0 to 1e6, on the faces of a node.
-    /// @throws std::out_of_range for a node or account that is not there; std::invalid_argument for a mass
-    ///     out of range, or a node without cloth. The sheet is then as before.
+    /// Adds `mass` kg of water, 0 to 1e6, to the film of a node.
+    /// @throws std::out_of_range for a node or account that does not exist; std::invalid_argument for a mass out of
+    ///     range, or a node without area. Nothing is then changed.
     void addFilm(std::size_t node, double mass, std::size_t account = 0);
-    /// Puts water into the pores of a node, as far as they are not full, and the rest on its faces. Otherwise as above.
+    /// Adds water to the pores of a node, and what they cannot hold to its film. Otherwise as `addFilm`.
     void addPores(std::size_t node, double mass, std::size_t account = 0);
-    /// Takes up to `mass` kg off the faces of a node. @return what was there to take. Otherwise as above.
+    /// Takes up to `mass` kg from the film of a node. Otherwise as `addFilm`. @return the mass taken, kg
     double takeFilm(std::size_t node, double mass, std::size_t account = 0);
-    /// Takes up to `mass` kg out of the pores of a node. @return what was there to take. Otherwise as above.
+    /// Takes up to `mass` kg from the pores of a node. Otherwise as `addFilm`. @return the mass taken, kg
     double takePores(std::size_t node, double mass, std::size_t account = 0);
-    /// Covers a share of a node's faces, 0 to 1, until the next step has passed: that share does not dry, and
-    /// a node that is covered whole does not drip. Shares add up to at most 1.
-    /// @throws std::out_of_range, std::invalid_argument
+    /// Covers a share of a node's faces, 0 to 1, during the next step: that share does not dry, and a node that is
+    /// covered completely does not drip. Several shares of one node add up, to at most 1.
+    /// @throws std::out_of_range for the node, std::invalid_argument for the share
     void cover(std::size_t node, double share);
 
-    /// Says that a node lies on something solid until the next step has passed: no drop can let go there.
-    /// @throws std::out_of_range
+    /// Marks a node as lying on a solid during the next step: it does not drip.
+    /// @throws std::out_of_range for a node that does not exist
     void layDown(std::size_t node);
 
-    /// Fits the water to cloth that has been cut: another mesh of the same fabric, and what is on it. Nothing is covered.
-    /// What there is less of than before went with the cloth that is gone, in the account "cut away".
-    /// @param poreMass, filmMass  of each node of the mesh, kg
-    /// @throws std::invalid_argument for a mesh out of range, or a mass that is not finite, negative, or not one a node
+    /// Replaces the mesh, after the cloth was cut, and the water of all nodes. Nothing is covered afterwards. Water
+    /// that is missing compared with before is booked as returned to the account "cut away".
+    /// @param poreMass, filmMass  of each node of the new mesh, kg
+    /// @throws std::invalid_argument for a mesh that `validate` refuses, a list of another length, or a mass that is
+    ///     negative or not finite
     void recut(const Fabric& fabric, const ClothMesh& mesh, std::vector<double> poreMass,
                std::vector<double> filmMass);
 
-    /// Lets `dt` seconds pass: water evaporates (or is taken from damp air); film goes into the pores, where
-    /// the missing share falls by exp(-dt / wettingTime) as long as the film lasts; pore water wicks and
-    /// drains, what pores cannot hold goes to the film; the film runs down and drips. Parts of it that need
-    /// shorter steps take them, or, where these would be very many, one that is implicit: any dt up to 1e9 s will do.
-    /// @throws std::invalid_argument for a dt that is not from 0 to 1e9, heights that are not finite or
-    ///     not one a node, a gravity or drying rate below 0, a humidity not in [0, 1).
+    /// Simulates `dt` seconds, in this order:
+    /// - water evaporates, or is taken up from humid air;
+    /// - film is absorbed: the unfilled part of the pores falls by a factor exp(-dt / wettingTime) while film lasts;
+    /// - pore water wicks and drains, and what the pores cannot hold goes to the film;
+    /// - film runs down and drips. Each part is divided into shorter steps as stability requires, or solved implicitly
+    /// where these would be too many.
+    /// @param dt  s; 0 to 1e9
+    /// @throws std::invalid_argument for a dt out of range, heights that are not finite or not one per node, a gravity
+    ///     or drying rate below 0, a humidity below 0 or not below 1
     void step(double dt, const Surroundings& surroundings);
-    /// The same for a level sheet without weight, sealed from the air.
+    /// The same for a sheet without gravity, sealed from the air.
     void step(double dt) { step(dt, Surroundings()); }
 
-    /// What dripped in the last step.
+    /// Drops of the last step.
     const std::vector<Shed>& shed() const { return shed_; }
 
-    /// Longest step in which pore water moves in one explicit step, s; infinite for separate nodes.
+    /// Longest `dt` for which pore water needs a single explicit step, s; infinite if no nodes are connected.
     /// @param gravity  m/s2
     double explicitBound(double gravity) const;
 
-    /// Cloth area of a node, m2.
+    /// Rest area of a node, m2.
     double area(std::size_t node) const { return areas_[node]; }
-    /// Water that the pores of a node hold when full, kg.
+    /// Water in the full pores of a node, kg.
     double poreCapacity(std::size_t node) const { return capacities_[node]; }
-    /// The same per area of cloth, kg/m2.
+    /// Water in full pores per area of cloth, kg/m2.
     double poreCapacityPerArea() const { return poreCapacity_; }
-    /// Time constant of the fabric's wetting, s.
+    /// Time constant of absorption, s; `Fabric::wettingTime`.
     double wettingTime() const { return wettingTime_; }
     /// Pore water of each node, kg.
     const std::vector<double>& poreMass() const { return poreMass_; }
     /// Film water of each node, both faces together, kg.
     const std::vector<double>& filmMass() const { return filmMass_; }
 
-    /// Pore water over pore capacity, 0 to 1; 0 for a node without cloth.
+    /// Pore water over pore capacity, 0 to 1; 0 for a node without area.
     double saturation(std::size_t node) const;
-    /// Water over dry cloth, kg/kg ("pick-up"); 0 for a node without cloth.
+    /// Moisture content: kg of water, in pores and film, per kg of dry cloth; 0 for a node without area.
     double content(std::size_t node) const;
     /// Thickness of the film on one face, m.
     double filmThickness(std::size_t node) const;
@@ -123,12 +148,12 @@ class DRENCH_API Moisture {
     double totalPoreMass() const;
     /// Film water of the whole sheet, kg.
     double totalFilmMass() const;
-    /// Pore water over pore capacity of the whole sheet, 0 to 1.
+    /// Pore water of the whole sheet over its pore capacity, 0 to 1.
     double meanSaturation() const;
-    /// What came and where it went.
+    /// Water balance since the sheet was made.
     Ledger ledger() const;
 
-    /// Memory that the sheet's water takes for each node, bytes, without the solver of implicit steps.
+    /// Memory per node, bytes, without that of the implicit solver.
     std::size_t bytesPerNode() const;
 
   private:
@@ -148,12 +173,12 @@ class DRENCH_API Moisture {
     double poreCapacity_;               // kg/m2
     std::vector<double> areas_;         // m2
     std::vector<double> capacities_;    // of the pores, kg
-    std::vector<float> openAreas_;      // m2, that are not covered
-    std::vector<std::size_t> covered_;  // nodes that are, or lie, in this step
-    std::vector<char> lying_;           // whether a node lies on something, in this step
+    std::vector<float> openAreas_;      // not covered, m2
+    std::vector<std::size_t> covered_;  // nodes that are covered or lie on a solid in this step
+    std::vector<char> lying_;           // whether a node lies on a solid in this step
     std::vector<double> poreMass_;
     std::vector<double> filmMass_;
-    double thickestFilm_ = 0;  // on any face after absorption, m
+    double thickestFilm_ = 0;  // largest thickness on any face after absorption, m
     std::vector<Shed> shed_;
     std::vector<Account> accounts_;
     double dripped_ = 0;

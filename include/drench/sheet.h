@@ -1,4 +1,4 @@
-// Cloth as a btSoftBody: rectangles, and any mesh.
+// Makes btSoftBodies that are sheets of cloth: rectangular grids, and any triangle mesh.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -9,77 +9,73 @@
 #include <memory>
 #include <vector>
 
-#include "drench/export.h"
+#include "drench/config.h"
 #include "drench/fabric.h"
-#include "drench/precision.h"
 #include "drench/triangle_mesh.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Where the four corners of a sheet are, m. The warp (material coordinate u) runs from `origin` to `warpEnd`, the weft
-/// (v) from `origin` to `weftEnd`.
+/// Positions of the four corners of a sheet, m. The warp (material coordinate u) runs from `origin` to `warpEnd`, the
+/// weft (v) from `origin` to `weftEnd`.
 struct Corners {
-    btVector3 origin;    ///< of node (0, 0)
-    btVector3 warpEnd;   ///< at the end of the first row
-    btVector3 weftEnd;   ///< at the beginning of the last row
-    btVector3 opposite;  ///< at the end of the last row
+    btVector3 origin;    ///< node (0, 0)
+    btVector3 warpEnd;   ///< end of the first row
+    btVector3 weftEnd;   ///< start of the last row
+    btVector3 opposite;  ///< end of the last row
 };
 
-/// A parallelogram with one corner and its two sides, m.
+/// Corners of a parallelogram, from one corner and the vectors along its two sides, m.
 DRENCH_API Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const btVector3& weftSide);
 
-/// Makes a grid of nodesWarp x nodesWeft nodes; node (i, j) has index i + j nodesWarp and sits at i /
-/// (nodesWarp - 1) of the way along the warp and j / (nodesWeft - 1) along the weft.
+/// Makes a grid of nodesWarp x nodesWeft nodes. Node (i, j) has index i + j nodesWarp; nodes are evenly spaced.
 ///
-/// Links: structural along both directions, both diagonals of each cell for shear, and two cells apart for
-/// bending (marked m_bbending). They are ordered in colours, no two links of a colour sharing a node, which
-/// keeps Bullet's sweeps stable. Node masses are those of the dry fabric, the margin a quarter of a cell but
-/// at most 20 mm, the friction that of the dry fabric on a smooth plate. Stiffness in N/m comes with
-/// `WetCloth`; without one the sheet is an ordinary patch.
+/// Links: structural links along both directions, both diagonals of each cell for shear, and links over two cells for
+/// bending (marked m_bbending). They are sorted by graph colouring, which keeps Bullet's sweeps stable. Node masses are
+/// those of the dry fabric; the margin is a quarter of a cell, at most 20 mm; the friction is that of the dry fabric on
+/// a smooth plate. Stiffness in N/m needs a `WetCloth`; without one the sheet is an ordinary patch.
 ///
-/// A voxel size of `worldInfo.m_sparsesdf` that is coarser than a cell is refined to half a cell, since with
-/// it the sheet could not touch anything where it is.
+/// If the voxel size of `worldInfo.m_sparsesdf` is larger than a cell it is set to half a cell, because contacts would
+/// otherwise be found in the wrong places.
 ///
-/// @param worldInfo  of the world that the sheet goes into; must outlive it
-/// @param nodesWarp, nodesWeft  2 to 10,000 each
-/// @return the body; the application adds it to its world, and removes it before it lets go
-/// @throws std::invalid_argument for a fabric out of range, a node count out of range, or corners that are
-///     not finite or leave a face without area.
+/// @param worldInfo  of the sheet's world; must outlive the body
+/// @param nodesWarp, nodesWeft  number of nodes in each direction; 2 to 10,000
+/// @return the body. The application must add it to its world, and remove it before it is destroyed
+/// @throws std::invalid_argument for a fabric or number of nodes out of range, or corners that are not finite or give a
+///     face without area
 DRENCH_API std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
                                                  const Corners& corners, int nodesWarp, int nodesWeft);
 
-/// Makes a body of any mesh, node by vertex and face by triangle, at rest as the mesh is.
+/// Makes a body from a triangle mesh: one node per vertex, one face per triangle. The mesh is its rest shape.
 ///
-/// Links: along each side of the triangles, and across each side that is the second diagonal of a nearly flat cell, as
-/// from a quad, so that it shears as woven cloth does: a side of two triangles, by a tenth the longest of both. They
-/// are ordered in colours. Masses, margin, friction and voxel size are as in the other `makeSheet`, with the mean link
-/// in place of a cell. There are no links for bending, which the SmallStepSolver and the deformable world do without; with
-/// the stock solver such a sheet bends freely.
+/// Links: one along each edge, and one across each edge that looks like the diagonal of a quad, so that the quad has
+/// both diagonals and shears as woven cloth does: an edge of two nearly coplanar triangles that is the longest edge of
+/// both by at least a tenth. They are sorted by graph colouring. Masses, margin, friction and voxel size are as in the
+/// other `makeSheet`, with the mean length of a link in place of a cell. There are no links for bending: the
+/// SmallStepSolver and the deformable world need none, with the stock solver such a sheet bends freely.
 ///
-/// A mesh that is not flat wants SheetSettings::faceCoordinates: of `wrappedCoordinates` or `texturedCoordinates`.
-/// @param worldInfo  of the world that the sheet goes into; must outlive it
-/// @return the body; the application adds it to its world, and removes it before it lets go
+/// A mesh that is not flat needs SheetSettings::faceCoordinates, from `wrappedCoordinates` or `texturedCoordinates`.
+/// @param worldInfo  of the sheet's world; must outlive the body
+/// @return the body. The application must add it to its world, and remove it before it is destroyed
 /// @throws std::invalid_argument for a fabric out of range, a mesh that `validate` refuses, or a triangle whose area
 ///     is 0 in Bullet's precision
 DRENCH_API std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
                                                  const TriangleMesh& mesh);
 
-/// Holds nodes where they are: their inverse masses become 0.
-/// @throws std::out_of_range for a node that is not there; none is then held
+/// Pins nodes: sets their inverse masses to 0.
+/// @throws std::out_of_range for a node that does not exist; nothing is then pinned
 DRENCH_API void pin(btSoftBody& body, const std::vector<int>& nodes);
 
-/// Holds the nodes whose positions, m, a function says yes to. @return their indices
+/// Pins all nodes for whose position, m, `isPinned` returns true. @return their indices
 DRENCH_API std::vector<int> pinWhere(btSoftBody& body,
                                      const std::function<bool(const btVector3& position)>& isPinned);
 
-/// Material coordinates for cloth that is wrapped around something, as a sleeve is, for
-/// SheetSettings::faceCoordinates: each face is laid flat as it is now, the weft along `axis` as far as it
-/// lies in the face, the warp around. Across the axis, where a face lies in neither direction, the weft runs
-/// along the face's first side.
+/// Material coordinates for cloth that is wrapped around an axis, such as a sleeve, for SheetSettings::faceCoordinates.
+/// Each face is laid flat in its present shape, with the weft along the projection of `axis` onto the face and the warp
+/// perpendicular to it. In a face perpendicular to the axis the weft is along the first edge.
 /// @param axis  of any length above 0
-/// @return the three corners of each face, m, each face by itself
-/// @throws std::invalid_argument for an axis that is not finite or has no length
+/// @return the material coordinates of the three corners of each face, m; each face has its own origin
+/// @throws std::invalid_argument for an axis that is not finite or has length 0
 DRENCH_API std::vector<std::array<Eigen::Vector2d, 3>> wrappedCoordinates(const btSoftBody& body,
                                                                           const btVector3& axis);
 

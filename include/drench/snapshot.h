@@ -1,4 +1,4 @@
-// The whole state of a sheet at one moment, to go back to, or to keep on disk.
+// The complete state of a sheet at one moment, in memory or on disk.
 #pragma once
 
 #include <cstdint>
@@ -6,38 +6,37 @@
 #include <string>
 #include <string_view>
 
-#include "drench/export.h"
+#include "drench/config.h"
 
 namespace drench {
 
-/// What `WetCloth::snapshot` makes and `WetCloth::restore` takes: bytes that are the same on every machine. They begin
-/// with what tells foreign ones, and end with a checksum (XXH3, 64 bits); docs/snapshots.md lists them all.
+/// State of a sheet, made by `WetCloth::snapshot` and read by `WetCloth::restore`, as bytes that are the same on every
+/// machine. They begin with a magic number and end with a checksum (XXH3, 64 bits); docs/snapshots.md has the format.
 class DRENCH_API Snapshot {
   public:
-    /// Newest format that this library reads, and the one that it writes.
+    /// The format that this library writes, and the newest one that it reads.
     static constexpr std::uint32_t newestFormat = 1;
 
-    /// Takes up bytes that once were those of a snapshot. What they say is compared with the sheet by
-    /// `WetCloth::restore`.
-    /// @throws std::runtime_error that says why they are none: too few or too many, of another kind, of a newer
-    ///     format, or changed by a single bit
+    /// Makes a snapshot from its bytes. Whether it fits a sheet is checked by `WetCloth::restore`.
+    /// @throws std::runtime_error, with the reason, if the bytes are not a valid snapshot: truncated, too long, of
+    ///     another kind, of a newer format, or with a wrong checksum
     explicit Snapshot(std::string bytes);
 
-    /// All of it, as it goes to a file.
+    /// All bytes, as in a file.
     const std::string& bytes() const { return bytes_; }
-    /// Of the state alone (XXH3, 64 bits): the same for the same state, whichever version of the library saved it.
+    /// Hash of the state (XXH3, 64 bits). Does not depend on the version of the library.
     std::uint64_t hash() const;
 
-    /// Version of the library that saved it, such as "0.1.0".
+    /// Version of the library that made it, such as "0.1.0".
     const std::string& libraryVersion() const { return libraryVersion_; }
-    /// Bytes of each of Bullet's numbers: 4 with single, 8 with double precision.
+    /// Size of btScalar, bytes: 4 in single precision, 8 in double.
     int precision() const { return precision_; }
-    std::uint64_t nodes() const { return nodes_; }  ///< of the body
-    std::uint64_t links() const { return links_; }  ///< of the body
-    std::uint64_t faces() const { return faces_; }  ///< of the body
-    /// Tells bodies apart whose faces or links join other nodes.
+    std::uint64_t nodes() const { return nodes_; }  ///< number of nodes of the body
+    std::uint64_t links() const { return links_; }  ///< number of links of the body
+    std::uint64_t faces() const { return faces_; }  ///< number of faces of the body
+    /// Hash of the node indices of all faces and links.
     std::uint64_t topology() const { return topology_; }
-    /// The bytes between those that tell all this and the checksum.
+    /// The bytes of the state: without header and checksum.
     std::string_view state() const;
 
   private:
@@ -48,13 +47,12 @@ class DRENCH_API Snapshot {
     std::size_t stateBegins_ = 0;
 };
 
-/// Writes a snapshot to a file, which appears under its name only once it is whole; one that was there stays until
-/// then.
-/// @throws std::runtime_error that names the path and says what is in the way
+/// Writes a snapshot to a file, atomically: an existing file is replaced only once the new one is complete.
+/// @throws std::runtime_error that names the path and the reason
 DRENCH_API void writeSnapshot(const std::filesystem::path& path, const Snapshot& snapshot);
 
-/// Reads a snapshot back.
-/// @throws std::runtime_error that names the path and says why it cannot be read, or is none; see Snapshot
+/// Reads a snapshot from a file.
+/// @throws std::runtime_error that names the path and the reason: the file cannot be read, or is not a valid snapshot
 DRENCH_API Snapshot readSnapshot(const std::filesystem::path& path);
 
 }  // namespace drench

@@ -1,5 +1,5 @@
-// Numbers and texts as bytes, the same on every machine: for what a snapshot holds, and for the state of an
-// application's own sources in it.
+// Serialization of numbers and strings, the same on every machine: for snapshots, and for the state of an application's
+// own sources in them.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 #include <type_traits>
 #include <vector>
 
-#include "drench/export.h"
+#include "drench/config.h"
 
 namespace drench {
 
-/// Writes values one after the other, least byte first: integers and floating-point numbers (IEEE 754) in as many
-/// bytes as their type has, so give types of a fixed size; bool as one byte, 0 or 1; a text or a vector as its length
-/// in 8 bytes and then its characters or numbers.
+/// Writes values one after the other, little-endian. Integers and floating-point numbers (IEEE 754) take the size of
+/// their type, so use types of fixed size. bool is one byte, 0 or 1. A string or vector is its length in 8 bytes and
+/// then its elements.
 class DRENCH_API StateWriter {
   public:
     /// A number of up to 8 bytes, or a bool.
@@ -34,20 +34,20 @@ class DRENCH_API StateWriter {
         }
         put(bits, sizeof(Number));
     }
-    /// Numbers, with how many there are.
+    /// A vector of numbers, with its length.
     template <typename Number>
     void write(const std::vector<Number>& values) {
         write(static_cast<std::uint64_t>(values.size()));
         for (const Number value : values) write(value);
     }
-    /// A text, with its length.
+    /// A string, with its length.
     void write(std::string_view text);
-    void write(const std::string& text) { write(std::string_view(text)); }  ///< a text, with its length
-    void write(const char* text) { write(std::string_view(text)); }         ///< a text, with its length
-    /// As they are, without a length.
+    void write(const std::string& text) { write(std::string_view(text)); }  ///< a string, with its length
+    void write(const char* text) { write(std::string_view(text)); }         ///< a string, with its length
+    /// Bytes as they are, without their length.
     void writeBytes(std::string_view bytes) { bytes_.append(bytes); }
 
-    /// What was written so far.
+    /// All bytes written so far.
     const std::string& bytes() const { return bytes_; }
 
   private:
@@ -56,12 +56,12 @@ class DRENCH_API StateWriter {
     std::string bytes_;
 };
 
-/// Reads back what a StateWriter wrote, in the same order and as the same types. All of it throws
-/// std::runtime_error that says what is wrong where too few bytes are left, or no writer can have written them, and
-/// never takes up more memory than there are bytes.
+/// Reads what a StateWriter wrote, in the same order and as the same types. All functions throw std::runtime_error,
+/// with the reason, if too few bytes are left or a StateWriter cannot have written them. They never allocate more
+/// memory than there are bytes left.
 class DRENCH_API StateReader {
   public:
-    /// @param bytes  stay where they are
+    /// @param bytes  are not copied, and must outlive the reader
     explicit StateReader(std::string_view bytes) : rest_(bytes) {}
 
     /// A number, or a bool.
@@ -85,21 +85,21 @@ class DRENCH_API StateReader {
             return static_cast<Number>(bits);
         }
     }
-    /// Numbers that were written as a vector.
+    /// A vector of numbers.
     template <typename Number>
     std::vector<Number> readMany() {
         std::vector<Number> values(readCount(sizeof(Number)));
         for (Number& value : values) value = read<Number>();
         return values;
     }
-    /// A text.
+    /// A string.
     std::string readText();
-    /// So many bytes as they are.
+    /// `count` bytes as they are.
     std::string_view readBytes(std::uint64_t count);
-    /// A number of things of which each takes at least so many bytes.
+    /// A count, checked to be at most the bytes left over `bytesOfEach`.
     std::uint64_t readCount(std::uint64_t bytesOfEach);
 
-    /// Bytes that are left.
+    /// Number of bytes left.
     std::size_t left() const { return rest_.size(); }
 
   private:

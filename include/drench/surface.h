@@ -1,38 +1,37 @@
-// What cloth rubs against and clings to.
+// Friction and adhesion of cloth on surfaces.
 #pragma once
 
-#include "drench/export.h"
+#include "drench/config.h"
 #include "drench/fabric.h"
 
 namespace drench {
 
-/// Kinds of surface that fabrics have numbers for.
+/// Kinds of surface for which fabrics have values.
 enum class SurfaceKind {
     plate,  ///< smooth and hard: glass, metal, lacquer, plastic
     skin,   ///< human skin
-    rough  ///< wood, stone, another cloth: as for a plate, but dry cloth catches on it (assumed; see `surfaceOf`)
+    rough   ///< wood, stone, another cloth; derived from plate (assumed; see `surfaceOf`)
 };
 
-/// How one fabric takes to one surface.
+/// Friction and adhesion of one fabric on one surface.
 struct Surface {
-    double frictionDry;     ///< friction coefficient of dry cloth, 1; 0 to 5
-    double frictionDamp;    ///< the same where the pores are 60 % full or fuller
-    double frictionSoaked;  ///< the same where a film between the two lubricates
-    double wettability =
-        1;  ///< share of the fabric's cling energy that holds there, 1; 0 to 1; default all of it
+    double frictionDry;      ///< friction coefficient of dry cloth; 0 to 5
+    double frictionDamp;     ///< the same at a pore saturation of 0.6 or more; 0 to 5
+    double frictionSoaked;   ///< the same when lubricated by a film; 0 to 5
+    double wettability = 1;  ///< factor on the fabric's cling energy, dimensionless; 0 to 1; default 1
 };
 
-/// A fabric on a surface of that kind. On a rough one dry cloth has twice the friction that it has on a plate, at
-/// least that of damp cloth there; soaked cloth has the mean of damp and soaked, as asperities reach through
-/// the film; and a third of the cling energy, as the two touch in places only (all assumed).
+/// Friction and adhesion of a fabric on a kind of surface. Rough surfaces (all assumed): dry friction is twice that on
+/// a plate and at least the damp one on a plate; soaked friction is the mean of damp and soaked on a plate, because
+/// asperities reach through the film; the wettability is 1/3, because the contact area is smaller.
 DRENCH_API Surface surfaceOf(const Fabric& fabric, SurfaceKind kind);
 
+/// Checks the ranges of all members of `Surface`.
 /// @throws std::invalid_argument that names the value and its range
 DRENCH_API void validate(const Surface& surface);
 
-/// Friction coefficient of a piece of cloth, 1. Rises from dry to damp up to a pore saturation of 0.6 (measured
-/// in shape), and falls to soaked as the film on the face grows from 18 um, which a face retains, to 0.1 mm,
-/// where it lubricates (assumed in numbers). Smooth, so that nothing jerks.
+/// Friction coefficient of wet cloth, dimensionless. Rises smoothly from dry to damp at a pore saturation of 0.6 (shape
+/// measured), and falls smoothly to soaked as the film grows from 18 um, the retained film, to 0.1 mm (assumed).
 /// @param saturation     of the pores, 0 to 1
 /// @param filmThickness  on one face, m
 DRENCH_API double frictionCoefficient(const Surface& surface, double saturation, double filmThickness);

@@ -1,4 +1,4 @@
-// Cloth of any shape, as triangles in space.
+// Triangle meshes in space, for cloth of any shape.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,36 +6,37 @@
 #include <cstddef>
 #include <vector>
 
-#include "drench/export.h"
+#include "drench/config.h"
 
 namespace drench {
 
-/// Where the nodes of a sheet are at rest, and which triangles they span. `makeSheet` in sheet.h makes a body of it.
+/// A sheet at rest, as a triangle mesh in space. `makeSheet` in sheet.h makes a body from it.
 struct TriangleMesh {
-    /// Of each node, m.
+    /// Position of each node, m.
     std::vector<Eigen::Vector3d> vertices;
     /// Node indices of each triangle.
     std::vector<std::array<int, 3>> triangles;
-    /// Texture coordinates of each triangle's three corners, in whatever unit; empty if there are none.
+    /// Texture coordinates of the three corners of each triangle, in any unit; empty if there are none.
     std::vector<std::array<Eigen::Vector2d, 3>> textureCoordinates;
 };
 
-/// Checks a mesh: at least one triangle, vertices finite and within 1e6 m, node indices that are there, triangles of
-/// three different nodes, with an area, and none twice, every node in a triangle, finite texture coordinates for all
-/// triangles or for none. Sides of three and more triangles, several pieces and holes are allowed.
+/// Checks a mesh: at least one triangle; vertices finite and within 1e6 m of the origin; node indices in range;
+/// triangles with three different nodes and an area, no duplicates; every node in a triangle; texture coordinates
+/// finite, for all triangles or none. Non-manifold edges (more than two triangles), several pieces and holes are
+/// allowed.
 /// @throws std::invalid_argument that names the vertex or triangle, counted from 0
 DRENCH_API void validate(const TriangleMesh& mesh);
 
-/// The sides of a mesh, each once: its two nodes, the lower first, in ascending order.
-/// @throws std::out_of_range for a node that is not there
+/// All edges of a mesh, each once: two node indices, the lower one first, in ascending order.
+/// @throws std::out_of_range for a node index out of range
 DRENCH_API std::vector<std::array<int, 2>> sidesOf(const TriangleMesh& mesh);
 
-/// Material coordinates for SheetSettings::faceCoordinates by the texture of a mesh, as clothes are usually cut: each
-/// triangle is laid flat at its true size, with the warp in the direction in which u rises, as far as that lies in it;
-/// so a texture may be in any unit, and stretched. u and v may run either way round.
-/// @return the three corners of each triangle, m, each triangle by itself
+/// Material coordinates from texture coordinates, for SheetSettings::faceCoordinates: each triangle is laid flat in its
+/// true size, with the warp along the gradient of texture coordinate u. The texture may be in any unit, stretched or
+/// mirrored.
+/// @return the material coordinates of the three corners of each triangle, m; each triangle has its own origin
 /// @throws std::invalid_argument as `validate`, for a mesh without texture coordinates, and for a triangle whose
-///     texture coordinates span no area, which then have no direction
+///     texture coordinates span no area
 DRENCH_API std::vector<std::array<Eigen::Vector2d, 3>> texturedCoordinates(const TriangleMesh& mesh);
 
 }  // namespace drench

@@ -1,4 +1,4 @@
-// The layer: puts water into a btSoftBody and lets it show.
+// Adds water to a btSoftBody, and makes its mechanics and its look follow from it.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
@@ -7,285 +7,274 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "drench/air.h"
-#include "drench/drop.h"
-#include "drench/export.h"
+#include "drench/config.h"
 #include "drench/fabric.h"
 #include "drench/health.h"
-#include "drench/ledger.h"
 #include "drench/moisture.h"
-#include "drench/precision.h"
 #include "drench/snapshot.h"
 #include "drench/source.h"
-#include "drench/step_times.h"
 #include "drench/surface.h"
 #include "drench/wet_laws.h"
 
 namespace drench {
+
+/// Drops that fell from one node at one time.
+struct Drop {
+    Eigen::Vector3d position;  ///< where they fell from, m
+    Eigen::Vector3d velocity;  ///< of the cloth there, m/s
+    double mass;               ///< of each drop, kg
+    std::int64_t count;        ///< number of drops; more than one where water pours
+    double time;               ///< of the body, since its WetCloth was made, s
+    int node;                  ///< index of the node
+};
+
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Who calls `WetCloth::preSubstep`.
 enum class Stepping {
-    /// The world, through its pre-tick callback. Set a pre-tick callback of your own before the world's first
-    /// WetCloth; it then runs first in each substep. One set later takes the slot, and the layer sleeps until
-    /// the next WetCloth.
+    /// The world, through its pre-tick callback. Set a pre-tick callback of your own before the world's first WetCloth
+    /// is made; it then runs first in each substep. One that is set later replaces Drench's, and the WetCloths of the
+    /// world stop until another one is made.
     byWorld,
-    /// The application, at the start of each substep. The world's pre-tick callback stays untouched.
+    /// The application, at the start of each substep. The world's pre-tick callback is not used.
     byApplication
 };
 
 /// Settings of one sheet in one world.
 struct SheetSettings {
-    /// Material coordinates (u along the warp, v along the weft) of each node, m. Empty: the sheet as it lies
-    /// when attached, which must be nearly flat, seen square to its best plane, with the warp along the
-    /// body's first link. To attach again to a sheet that hangs in folds, give the `materialCoordinates()` of
-    /// the WetCloth before.
+    /// Material coordinates (u along the warp, v along the weft) of each node, m. Empty, the default: the present
+    /// positions, which must be nearly flat, projected onto their best-fit plane, with the warp along the body's first
+    /// link. To attach again to a sheet that hangs in folds, pass the `materialCoordinates()` of the previous WetCloth.
     std::vector<Eigen::Vector2d> materialCoordinates;
 
-    /// Instead, for cloth with seams, such as a sleeve: material coordinates of the three corners of each of
-    /// the body's faces, m. Neighbours need not agree but in the length of the side between them. See
-    /// `wrappedCoordinates`.
+    /// Alternative for cloth with seams, such as a sleeve: material coordinates of the three corners of each face, m.
+    /// Neighbouring faces must agree only on the length of their common edge. Empty, the default: not used. See
+    /// `wrappedCoordinates` and `texturedCoordinates`.
     std::vector<std::array<Eigen::Vector2d, 3>> faceCoordinates;
 
-    /// How much faster water runs than the body's own time, 1; 0 to 1e5. Default 1. At 60 an hour of drying
-    /// takes a minute. Sources run with the water; what they throw at the body pushes it as in its own time.
+    /// Ratio of water time to the body's time, dimensionless; 0 to 1e5; default 1. At 60 an hour of drying takes a
+    /// minute. Sources use water time, but the momentum of their water is that of the body's time.
     double waterSpeed = 1;
 
-    /// Default: by the world.
+    /// Who calls `WetCloth::preSubstep`; default: the world.
     Stepping stepping = Stepping::byWorld;
 
-    /// What happens where something goes wrong while the world runs. Default: it is mended and reported.
+    /// What to do about problems while the world runs; default: repair and report them.
     OnTrouble onTrouble = OnTrouble::carryOn;
 };
 
-/// The water of one soft body and what it does to it.
+/// Adds water to one btSoftBody. At the start of each of Bullet's substeps sources add their water, the water moves
+/// (see `Moisture::step`), and node masses, link stiffness and air forces are computed from it. docs/wet-cloth.md lists
+/// the body fields that a WetCloth changes while attached and restores on destruction, and says how stiff links are
+/// with each of Bullet's solvers.
 ///
-/// At the start of each of Bullet's substeps the sources bring their water; it dries, soaks in, wicks, runs
-/// down and drips (see `Moisture::step`); then node masses (with the momentum that the water brought), link
-/// stiffness in N/m and air forces are rewritten from it. A face on a solid body (btSoftBody::m_rcontacts,
-/// m_nodeRigidContacts) does not dry, and nothing drips from a node that lies on one.
+/// Body, world and WetCloth may be destroyed in any order that Bullet allows; without its body or world a WetCloth does
+/// nothing. A body has at most one WetCloth, and is simulated only in the world of its WetCloth. It may be cut, refined
+/// or extended while attached; see docs/health.md. A WetCloth must be used from the thread that steps its world.
 ///
-/// What this takes over of the body, and gives back when it ends:
-/// - node masses. Pins (inverse mass 0) stay pins, and may come and go while running;
-/// - link constants, and the rest lengths against a setMass in flight, after which Bullet would reset them;
-/// - the order of the links: hard links in mesh order blow up, so they come in colours meanwhile. Where they are
-///   reordered (randomizeConstraints), they are again, within 64 substeps;
-/// - the aero model: kDG and kLF are 0 meanwhile;
-/// - the collision shape, replaced by one that knows when the body is deleted. Ask getCollisionShape() for it
-///   each time; its margin and user data carry over;
-/// - in the deformable world, collision flags of SDF_RS, which Bullet gives new bodies but does not serve
-///   there: they are SDF_RD | SDF_RDN meanwhile.
-///
-/// - contacts with solids and with other sheets, for their friction and cling: hardness (kCHR, kKHR) and, with the stock
-///   solver, Bullet's own friction play no part;
-/// - the world's post-tick callback, from the start of a substep to that moment, when it calls the application's.
-///
-/// Everything else, user pointer and tags, iterations and damping, stays the application's.
-///
-/// A SmallStepSolver gives links and bending their stiffness in one substep a frame. How stiff links are with the
-/// stock solver: with piterations = 1 (and viterations = diterations = 0), a substep dt, and w the sum
-/// of a link's inverse masses, the layer writes m_c0 = max(w, w/2 + 1 / (k dt^2)), a variant of XPBD (Macklin
-/// et al. 2016) that is right at the end of the sweep. Up to `stepBound` a link has its stiffness of k N/m;
-/// beyond it acts softer, by about w dt^2 / 2 beside 1 / k. With n > 1 sweeps m_c0 = w / (1 - (1 + w k
-/// dt^2)^(-1/n)); that helps less than n times the substeps. m_kLST plays no part. In single precision,
-/// within a few metres of the origin, substeps below about 1/2000 s lose gravity to rounding; where
-/// `stepBound` is shorter, use double-precision Bullet or a coarser grid, or live with softer links.
-///
-/// In the deformable world the same calls do the same by a btDeformableLagrangianForce of the layer's: links
-/// and bending have their stiffness in any substep that is allowed, and link constants and iterations play no
-/// part. Gravity is there the application's btDeformableGravityForce, for this body as for any other, and
-/// does not come by itself. Of m_cfg that world heeds kDF, kKHR, kCHR and, in explicit steps, drag (the share
-/// of velocity lost in a substep), and neither kDP nor timescale. Explicit steps (its default) must not be
-/// longer than `stepBound`, and are refused if they are. Implicit ones (setImplicit and setUseProjection, both) may
-/// be as long as 1/60 s for a sheet that hangs in still air and 1/240 s for one in wind or that touches something. In single precision
-/// Bullet's solver stops early, and an implicit substep dt loses up to some 1e-3 k dt^2 / m of the momentum of
-/// a blow, such as a big drop, to a node of mass m.
-///
-/// The layer, the body and the world may end in any order that Bullet itself allows: also after the body was
-/// deleted, or the world, the layer only stops working. One layer a body, and one world a layer: in another
-/// world than its own the body is not stepped by it. Many bodies a world. Not thread-safe: use it from the
-/// thread that steps the world.
-///
-/// The body may be cut, refined or sewn on to while attached (cutLink, refine, append...): at the next substep the WetCloth
-/// fits itself to what the body has become, with the water of each old face on its pieces. Old nodes keep their index. What
-/// is no cloth any more is left to Bullet, and reported. docs/health.md says more, and what happens where anything
-/// else goes wrong while the world runs.
-///
-/// Node indices are those of the body, as of the last substep; each call that takes one throws std::out_of_range for one that is not there.
+/// Node indices are those of the body at the last substep. Every function with a node index throws std::out_of_range
+/// for one that does not exist.
 class DRENCH_API WetCloth {
   public:
-    /// Attaches to a body, in the world or not yet in it.
-    /// @param world   that the body is or will be in: a btSoftRigidDynamicsWorld, btSoftMultiBodyDynamicsWorld
-    ///                or btDeformableMultiBodyDynamicsWorld
-    /// @param sheet   any soft body with faces and links: from `makeSheet`, CreatePatch, CreateFromTriMesh, your own
-    /// @param fabric  its cloth; copied
-    /// @throws std::invalid_argument, with the body as it was, for a world of another kind; a fabric or setting
-    ///     out of range; a body without faces or links, with clusters or tetrahedra, with a node or link that
-    ///     is not finite, a link of no length, a triangle of no area, two faces or links of the same nodes, or
-    ///     with a WetCloth already; a voxel size of its world info, or a margin, larger than its mean link; a
-    ///     plane shape in the world that its collision filters, once it has any, let it meet; material
-    ///     coordinates that do not fit it.
+    /// @name Attaching
+    /// @{
+
+    /// Attaches to a body, which need not be in the world yet.
+    /// @param world   a btSoftRigidDynamicsWorld, btSoftMultiBodyDynamicsWorld or btDeformableMultiBodyDynamicsWorld
+    /// @param sheet   a soft body with faces and links: from `makeSheet`, CreatePatch, CreateFromTriMesh or your own
+    /// @param fabric  fabric of the cloth; copied
+    /// @throws std::invalid_argument, with the body unchanged, for
+    ///     - a world of another kind, or a fabric or setting out of range;
+    ///     - a body without faces or links, with clusters or tetrahedra, with a node or link that is not finite, a link
+    ///       of length 0, a triangle of area 0, duplicate faces or links, or a WetCloth already;
+    ///     - a margin, or a voxel size of the world info, larger than the mean link;
+    ///     - a plane shape in the world that the body's collision filters let it collide with;
+    ///     - material coordinates that do not fit the body
     WetCloth(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
              const SheetSettings& settings = {});
+    /// Detaches, and restores the body.
     ~WetCloth();
     WetCloth(const WetCloth&) = delete;
     WetCloth& operator=(const WetCloth&) = delete;
 
-    /// The air around the sheet; change it as you like between steps. Wind does not wake a body that sleeps.
-    /// All of the sheet dries alike: at the speed of the wind, on average over the sheet, against the cloth's mean
-    /// velocity, over a length that is the root of its area.
+    /// @}
+    /// @name Surroundings
+    /// @{
+
+    /// The air around the sheet; may be changed between steps. A change of the wind does not wake a sleeping body. The
+    /// whole sheet dries at one rate: that of the mean speed of the wind relative to the mean velocity of the cloth,
+    /// over a length that is the square root of the sheet's area.
     Air& air();
     const Air& air() const;  ///< The same, to read.
 
-    /// Says what a solid is to this cloth: how its friction coefficients depend on the water of each node, and
-    /// whether wet cloth clings to it. Of a solid that nothing is said of, the friction coefficient is that on
-    /// a plate, times m_cfg.kDF x the solid's own friction over the fabric's dry one, so that dry cloth has
-    /// Bullet's own; and wet cloth clings to it as to a plate.
+    /// Sets the kind of surface that a solid has for this cloth: friction coefficients as functions of the water, and
+    /// adhesion. By default a solid is a plate, with all friction coefficients scaled by m_cfg.kDF x the solid's
+    /// friction / `Fabric::plateFrictionDry`, so that the friction of dry cloth is Bullet's.
     ///
-    /// Friction is Coulomb's, for each node by its own water (see `frictionCoefficient`). Cling is cohesion (see
-    /// `WetLaws::clingEnergy`): where wet cloth has touched it stays bonded, and is pulled back with energy / reach x
-    /// area of the node, up to the reach of the bond, the root of a node's area (1 to 10 mm), where it breaks. So
-    /// to peel a strip at a right angle takes energy x width, and cloth hangs from a ceiling as long as energy / reach
-    /// exceeds its weight. A bond adds to what presses the faces together, and so to friction. Both act back on the solid.
-    /// Other sheets with a WetCloth cling where both are wet; a soft body without one counts as wettable.
-    /// A friction coefficient of Bullet's that is negative or no number counts as 0, one beyond 1000 as 1000.
-    /// @param solid  by its address, which need not exist any more; where another takes its place in memory,
-    ///               say so again
+    /// Friction is Coulomb's, for each node by its own water (see `frictionCoefficient`); 0 for a negative or NaN
+    /// friction of Bullet's, and at most 1000. Adhesion (see `WetLaws::clingEnergy`) bonds a node of wet cloth to a
+    /// surface that it has touched: the bond pulls with energy x area / reach, and breaks beyond its reach, the square
+    /// root of the node's area, 1 to 10 mm. So peeling a strip at a right angle takes energy x width, and cloth hangs
+    /// from a ceiling while energy / reach exceeds its weight per area. Bonds add to the normal force, and so to
+    /// friction. The solid gets the opposite forces. Sheets that have a WetCloth adhere where both are wet; a soft body
+    /// without one counts as wettable.
+    /// @param solid  known by its address; it may be destroyed. Call again if another object gets the same address
     void setSurface(const btCollisionObject& solid, SurfaceKind kind);
     /// The same for a surface of your own. @throws std::invalid_argument for a value out of range
     void setSurface(const btCollisionObject& solid, const Surface& surface);
-    /// Forgets what was said of a solid.
+    /// Makes the surface of a solid the default again.
     void clearSurface(const btCollisionObject& solid);
 
-    /// Changes how fast water runs from the next substep on; see `SheetSettings::waterSpeed`.
-    /// @throws std::invalid_argument for a value that is not from 0 to 1e5
+    /// Changes `SheetSettings::waterSpeed`, from the next substep on.
+    /// @throws std::invalid_argument for a value below 0 or above 1e5
     void setWaterSpeed(double speed);
-    /// How much faster water runs than the body's own time, 1.
+    /// Ratio of water time to the body's time, dimensionless.
     double waterSpeed() const;
 
-    /// Adds a source of water: one of those in sources.h and wet_contact.h, or your own. It works from the
-    /// next substep on, in the account of its name; sources of the same name share it.
-    /// @return the source where it is now, until it is removed; its settings may be changed there
-    /// @throws what the source throws when its settings are off; it is then not added
+    /// @}
+    /// @name Adding and taking water
+    /// @{
+
+    /// Adds a source: one from sources.h or wet_contact.h, or your own. It works from the next substep on. Sources of
+    /// the same name share an account.
+    /// @return the source, valid until it is removed; its settings may be changed there
+    /// @throws what the source throws if its settings are invalid; it is then not added
     template <typename SourceType>
     SourceType& add(SourceType source) {
         return add(std::make_unique<SourceType>(std::move(source)));
     }
-    /// The same for a source on the heap. @throws std::invalid_argument for none
+    /// The same for a source on the heap. @throws std::invalid_argument for a null pointer
     template <typename SourceType>
     SourceType& add(std::unique_ptr<SourceType> source) {
         SourceType* const stays = source.get();
         addSource(std::move(source));
         return *stays;
     }
-    /// Removes and destroys a source; its account stays. @throws std::invalid_argument for one that is not here
+    /// Removes and destroys a source; its account stays.
+    /// @throws std::invalid_argument for a source that was not added here
     void remove(const Source& source);
 
-    /// Brings water and takes it back at any time, in the account of that name, in the body's own time. Lives
-    /// as long as the WetCloth.
+    /// Adds and takes water directly, at any time and in the body's time, in the account of that name. The reference is
+    /// valid as long as the WetCloth.
     Supply& account(const std::string& name);
 
-    /// Hands over the drops that fell since the last call, oldest first. At most the last 100,000 are kept.
-    std::vector<Drop> takeDrops();
-
-    /// Puts water on the faces of one node; it takes part from the next substep on, and wakes the body.
-    /// @param mass      kg, 0 to 1e6
+    /// Adds film water to one node, from the next substep on, and wakes the body.
+    /// @param mass      kg; 0 to 1e6
     /// @param velocity  of the water as it arrives, m/s; the node takes up its momentum
-    /// @throws std::invalid_argument for a mass out of range, a velocity that is not finite, or a node without cloth.
+    /// @throws std::invalid_argument for a mass out of range, a velocity that is not finite, or a node without area
     void addWater(int node, double mass, const btVector3& velocity);
 
-    /// Puts water on the faces of one node that moves with the node. Otherwise as above.
+    /// The same for water that moves with the node.
     void addWater(int node, double mass);
 
-    /// Puts the same water on every part of the cloth at once; it moves with the cloth. The source `Soak` is
-    /// for chosen places, and takes its time.
-    /// @param massPerArea  kg per m2 of cloth, 0 to 1000
-    /// @throws std::invalid_argument for a value out of range.
+    /// Adds film water to all nodes at once; it moves with the cloth. The source `Soak` does so over a time, or on
+    /// chosen nodes.
+    /// @param massPerArea  kg per m2 of cloth; 0 to 1000
+    /// @throws std::invalid_argument for a value out of range
     void soak(double massPerArea);
 
-    /// The same, straight into the pores, as if they had had time to take it up; what they cannot hold is on the faces.
+    /// Adds pore water to all nodes at once; what the pores cannot hold becomes film. Otherwise as `soak`.
     void presoak(double massPerArea);
+
+    /// Returns the drops that fell since the last call, oldest first; at most the last 100,000.
+    std::vector<Drop> takeDrops();
+
+    /// @}
+    /// @name Reading the water
+    /// @{
 
     /// Pore and film water of the whole sheet, kg.
     double waterMass() const;
     /// Mass of the dry cloth, kg.
     double dryMass() const;
-    /// Cloth and water of one node, kg, also for a pinned one.
+    /// Mass of cloth and water of one node, kg; also of a pinned one.
     double nodeMass(int node) const;
     /// Pore water of a node over its pore capacity, 0 to 1.
     double saturation(int node) const;
-    /// Water of a node over its dry cloth, kg/kg.
+    /// Moisture content of a node: kg of water, in pores and film, per kg of dry cloth.
     double content(int node) const;
-    /// Diffuse colour of a node.
+    /// Diffuse colour of a node; see `WetLaws::albedo`.
     Colour albedo(int node) const;
-    /// Share of the light that passes the cloth at a node, 0 to 1; see `WetLaws::transmittance`.
+    /// Share of light that the cloth transmits at a node, 0 to 1; see `WetLaws::transmittance`.
     double transmittance(int node) const;
-    /// How much of a node shines like water, 0 to 1; see `WetLaws::gloss`.
+    /// Share of a node that is glossy like water, 0 to 1; see `WetLaws::gloss`.
     double gloss(int node) const;
-    /// What the sheet is made of.
+    /// The fabric given to the constructor.
     const Fabric& fabric() const;
-    /// All stores of all nodes.
+    /// Pore and film water of all nodes.
     const Moisture& moisture() const;
-    /// What came and where it went.
+    /// Water balance since the WetCloth was made.
     Ledger ledger() const;
-    /// Material coordinates of each node, m; of a node on a seam, those in the first of its faces.
+    /// Material coordinates of each node, m; for a node on a seam those in the first of its faces.
     const std::vector<Eigen::Vector2d>& materialCoordinates() const;
 
-    /// Longest substep at which, with piterations = 1, every stretch and shear link has its stiffness, s of
-    /// the body's own time: the smallest sqrt(2 / (w k)) over them, with water as it is now and no pins;
-    /// infinite if there is none. The free corners of a grid set it; the rest of the sheet allows sqrt(2)
-    /// more. In the deformable world's explicit steps instead the longest substep that does not blow up,
-    /// wet or dry, in any pose and without pins, which is the longest that is allowed; it stays the same
-    /// while the sheet dries. In its implicit ones, as of the last substep, infinite.
+    /// @}
+    /// @name Stepping and diagnostics
+    /// @{
+
+    /// Longest useful substep, s of the body's time, at the present water:
+    /// - with the stock solver and piterations = 1, the longest at which every stretch and shear link has its
+    ///   stiffness: the smallest sqrt(2 / (w k)) of all links, w the sum of the inverse masses of the unpinned
+    ///   nodes, k the stiffness; infinite without links. On a grid the free corners have the smallest; the rest of the
+    ///   sheet allows sqrt(2) times as much;
+    /// - in the deformable world with explicit steps, the longest that is stable, wet or dry, in any pose and with any
+    ///   pins. Longer substeps are refused. It does not change while the sheet dries;
+    /// - in the deformable world with implicit steps (as of the last substep), infinite.
     double stepBound() const;
 
-    /// All that the next steps depend on, of the body, its water and what it touches, at this moment. Not in it is what
-    /// the application sets: fabric, air and wind, water speed, surfaces, the settings of sources, of the body (m_cfg,
-    /// anchors, margin) and of the world; nor rigid bodies, nor drops that a FallingDrops has
-    /// taken, which it can save itself. See
-    /// docs/snapshots.md.
+    /// Computes diagnostics of all nodes, links and contacts. Once the body has been destroyed, all values are 0 and
+    /// `finite` is false.
+    SheetHealth health() const;
+
+    /// Problems since the WetCloth was made or `clearTroubles` was called: one report per kind, in order of first
+    /// occurrence. docs/health.md lists all kinds.
+    const std::vector<TroubleReport>& troubles() const;
+    /// Removes all reports.
+    void clearTroubles();
+
+    /// Computing times of the steps so far.
+    StepTimes times() const;
+
+    /// Does the work of a substep that is about to begin. Only for `Stepping::byApplication`; otherwise the world calls
+    /// it, and exceptions leave stepSimulation: Bullet's step is then not done, other sheets may have had theirs, and
+    /// world.clearForces() must be called before the next step. The world's step also throws std::invalid_argument if a
+    /// plane shape was added that the body can collide with. Does nothing while the body is in no world, or destroyed.
+    /// @param dt  duration of the substep, s; above 0 and finite
+    /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt out of range; in the
+    ///     deformable world std::runtime_error for explicit substeps longer than `stepBound` and for implicit ones
+    ///     without projection. With OnTrouble::throwError also std::runtime_error for each `Trouble`, and for
+    ///     `Trouble::air` and `Trouble::source` the exception itself. The body is then unchanged, but the sources
+    ///     before the one that threw have added their water
+    void preSubstep(btScalar dt);
+
+    /// @}
+    /// @name Snapshots
+    /// @{
+
+    /// The complete state of the body, its water and its contacts: all that the next steps depend on except what the
+    /// application sets (fabric, air, water speed, surfaces, settings of sources, body and world), rigid bodies, and
+    /// drops that a FallingDrops has taken. docs/snapshots.md says more.
     /// @throws std::logic_error within a step, or while the body is not in its world; std::runtime_error for a sheet
     ///     that is not finite
     Snapshot snapshot() const;
-    /// Goes back, or on, to such a moment. Where all settings are as they were, and solids where they were, the steps
-    /// that follow are to the last bit those that followed then: also in another world or process where the body was
-    /// built and its WetCloth made in the same way, with the same sources in the same order, by a library and Bullet
-    /// of the same build. Pins come back as they were. What the sheet has touched is known by its place in the world's
-    /// list of collision objects, so that has to be in the same order.
-    /// @throws std::logic_error as above; std::runtime_error that says why the snapshot does not fit: another
-    ///     precision, topology, size or fabric, kind of world, other sources, an object that is not there, or values
-    ///     that no sheet has; and what a source of your own throws. All is then as before.
+    /// Sets the state to that of a snapshot, pins included. If all settings and solids are as they were, the steps that
+    /// follow are bit-identical to those that followed the snapshot; also in another world or process, if the body and
+    /// its WetCloth were made in the same way, with the same sources in the same order, by the same build of Drench and
+    /// Bullet. Objects that the sheet touches are identified by their index in the world's list of collision objects,
+    /// so that order must be the same.
+    /// @throws std::logic_error as `snapshot`; std::runtime_error, with the reason, for a snapshot that does not fit:
+    ///     another precision, topology, size or fabric, another kind of world, other sources, an object that does not
+    ///     exist, or invalid values; and what a source of your own throws. Nothing is then changed
     void restore(const Snapshot& snapshot);
 
-    /// Looks over all nodes, links and contacts. Once the body has ended, all is 0
-    /// and `finite` is false.
-    SheetHealth health() const;
-
-    /// What has gone wrong since the WetCloth was made, or since `clearTroubles`: a report for each kind, in the
-    /// order in which they first came. docs/health.md lists them all.
-    const std::vector<TroubleReport>& troubles() const;
-    /// Forgets the reports.
-    void clearTroubles();
-
-    /// What the steps of this sheet have taken so far.
-    StepTimes times() const;
-
-    /// Does the layer's work for a substep of `dt` seconds that is about to begin. Only for `Stepping::byApplication`;
-    /// otherwise the world calls it and its errors come out of stepSimulation: Bullet's step is then left undone, other
-    /// sheets may have had theirs, and world.clearForces() is due before the next. The world's step also throws
-    /// std::invalid_argument when a plane shape has come that the body can meet. Does nothing while the body is in no
-    /// world or no longer exists.
-    /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt that is not positive
-    ///     and finite; std::runtime_error, in the deformable world, for explicit substeps beyond `stepBound` and implicit
-    ///     ones without projection. With OnTrouble::throwError also std::runtime_error for each `Trouble`, and for `air`
-    ///     and `source` what was thrown there. The body is then as before the call; of the sources, those before the one
-    ///     that threw have given.
-    void preSubstep(btScalar dt);
+    /// @}
 
   private:
     friend class FallingDrops;
@@ -293,7 +282,7 @@ class DRENCH_API WetCloth {
     void addSource(std::unique_ptr<Source> source);
 
     struct DRENCH_LOCAL Layer;
-    std::shared_ptr<Layer> layer_;  // shared with none but those who watch whether it still is
+    std::shared_ptr<Layer> layer_;  // shared, so that others can watch with a weak_ptr whether it exists
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

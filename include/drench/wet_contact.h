@@ -1,4 +1,4 @@
-// Water that passes by touch: from a wet body to a sheet, and between two sheets.
+// Water transfer by contact: from a wet body to a sheet, and between two sheets.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -7,24 +7,23 @@
 #include <memory>
 #include <vector>
 
-#include "drench/export.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 #include "drench/source.h"
 #include "drench/wet_cloth.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// A collision object whose surface is wet. Where the sheet touches it (btSoftBody::m_rcontacts, in the
-/// deformable world m_nodeRigidContacts), the face between takes up a film of its own as thick as that on the
-/// body, with a time constant of 0.1 s (assumed). Contacts are those of the last substep.
+/// A collision object with a wet surface. Where the sheet touches it, the film on the face in contact approaches the
+/// thickness of that on the body, with a time constant of 0.1 s (assumed). Contacts are those of the last substep
+/// (btSoftBody::m_rcontacts, in the deformable world m_nodeRigidContacts).
 class DRENCH_API WetBody final : public Source {
   public:
-    double filmThickness = 0.1e-3;  ///< of the water on the body, m; 0 to 0.01
-    double amount =
-        std::numeric_limits<double>::infinity();  ///< what is left of it, kg, at least 0; default never ends
+    double filmThickness = 0.1e-3;  ///< of the water on the body, m; 0 to 0.01; default 0.1e-3
+    /// Water left on the body, kg; at least 0; default infinite.
+    double amount = std::numeric_limits<double>::infinity();
 
-    /// @param body  that is wet; only its address is used, and it may be gone
+    /// @param body  the wet body; only its address is used, so it may be destroyed
     explicit WetBody(const btCollisionObject& body) : body_(&body) {}
     std::string name() const override { return "wet body"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
@@ -35,21 +34,21 @@ class DRENCH_API WetBody final : public Source {
     const btCollisionObject* body_;
 };
 
-/// Two sheets that touch, by Bullet's own contacts between soft bodies (btSoftBody::m_scontacts: both need
-/// fCollision::VF_SS among their m_cfg.collisions; in the deformable world m_faceNodeContacts and VF_DD). Water
-/// passes between a node and the face that it touches until pores are equally full, with the slower of the two
-/// wetting times, and the films equally thick, with 0.1 s (both assumed). Faces that touch do not dry. Add it to
-/// one of the two.
+/// Water transfer between two sheets that touch. Between a node and the face that it touches, pore saturations even out
+/// with the slower of the two wetting times, and film thicknesses with a time constant of 0.1 s (both assumed). Faces
+/// in contact do not dry. Add it to one of the two sheets. Contacts are Bullet's between soft bodies:
+/// btSoftBody::m_scontacts, for which both bodies need fCollision::VF_SS in m_cfg.collisions; in the deformable world
+/// m_faceNodeContacts and VF_DD.
 class DRENCH_API Touch final : public Source {
   public:
-    /// @param other  sheet, in the same world; when it is gone, nothing passes any more
+    /// @param other  the other sheet, in the same world; once it is destroyed, this source has no effect
     explicit Touch(WetCloth& other);
     std::string name() const override { return "touch"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
 
   private:
     struct DRENCH_LOCAL Exchange;
-    /// A node here and one there that touch.
+    /// Two nodes in contact, one of each sheet.
     struct Pair {
         std::size_t here, there;
         double weight;

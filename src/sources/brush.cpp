@@ -1,4 +1,4 @@
-#include "drench/sources.h"
+#include "drench/brush.h"
 #include "state/checks.h"
 
 namespace drench {

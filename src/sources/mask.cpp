@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "drench/sources.h"
+#include "drench/soak.h"
 
 namespace drench {
 

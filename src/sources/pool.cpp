@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "drench/sources.h"
+#include "drench/pool.h"
 #include "drench/water.h"
 #include "state/checks.h"
 

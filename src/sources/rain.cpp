@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "drench/sources.h"
+#include "drench/rain.h"
 #include "state/checks.h"
 
 namespace drench {

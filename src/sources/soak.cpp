@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "drench/sources.h"
+#include "drench/soak.h"
 #include "state/checks.h"
 
 namespace drench {

@@ -3,8 +3,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "drench/sources.h"
 #include "cloth/constants.h"
+#include "drench/spray.h"
 #include "state/checks.h"
 
 namespace drench {

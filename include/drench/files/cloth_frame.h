@@ -1,4 +1,4 @@
-// A sheet at one moment as plain numbers, for files and other programs.
+// State of a sheet at one moment as arrays of numbers, for files and other programs.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,43 +6,42 @@
 #include <string>
 #include <vector>
 
-#include "drench/export.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 class btSoftBody;
 
 namespace drench {
 
-/// What there is to see and to measure of a sheet. Each list but `triangles` has one entry a node.
+/// Geometry, water and colours of a sheet. Each array except `triangles` has one entry per node.
 struct ClothFrame {
     std::string name;
     std::vector<std::array<int, 3>> triangles;  ///< node indices
     std::vector<Eigen::Vector3f> positions;     ///< m
-    std::vector<Eigen::Vector3f> normals;  ///< of length 1: of the triangles around, by their areas; or +y
-    std::vector<double> masses;            ///< cloth and water, kg
-    std::vector<double> poreMasses;        ///< water between the fibres, kg
-    std::vector<double> filmMasses;        ///< water on both faces, kg
-    std::vector<double> filmThicknesses;   ///< on one face, m
-    std::vector<double> contents;          ///< water over dry cloth, kg/kg
+    std::vector<Eigen::Vector3f>
+        normals;                     ///< unit vectors: area-weighted mean over the triangles; +y if that is 0
+    std::vector<double> masses;      ///< of cloth and water, kg
+    std::vector<double> poreMasses;  ///< pore water, kg
+    std::vector<double> filmMasses;  ///< film water, both faces together, kg
+    std::vector<double> filmThicknesses;   ///< of the film on one face, m
+    std::vector<double> contents;          ///< kg of water per kg of dry cloth
     std::vector<float> saturations;        ///< pore water over pore capacity, 0 to 1
-    std::vector<float> glosses;            ///< how much a node shines like water, 0 to 1
-    std::vector<Eigen::Vector3f> colours;  ///< diffuse, linear RGB, 0 to 1: wet cloth is darker
+    std::vector<float> glosses;            ///< share that is glossy like water, 0 to 1
+    std::vector<Eigen::Vector3f> colours;  ///< diffuse, linear RGB, 0 to 1
 };
 
-/// Checks that a frame has a name and triangles, that lists are as long as each other, that nodes of triangles are there,
-/// and that every number is finite.
-/// @throws std::invalid_argument that names the sheet, the list and the node
+/// Checks that a frame has a name and triangles, arrays of equal length, valid node indices, and finite numbers.
+/// @throws std::invalid_argument that names the sheet, the array and the node
 DRENCH_API void validate(const ClothFrame& frame);
 
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 class WetCloth;
 
-/// The sheet as it is now.
-/// @param name  of 1 to 64 letters, digits, blanks, - or _, so that it may stand in any file
-/// @param body  that `cloth` is attached to
-/// @throws std::invalid_argument for another name, a body of another number of nodes than the cloth, and where a
-///     position or another number is not finite
+/// The present state of a sheet.
+/// @param name  1 to 64 letters, digits, spaces, - or _
+/// @param body  the body of `cloth`
+/// @throws std::invalid_argument for an invalid name, a body whose number of nodes differs from the cloth's, or a
+///     number that is not finite
 DRENCH_API ClothFrame frameOf(const std::string& name, const btSoftBody& body, const WetCloth& cloth);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

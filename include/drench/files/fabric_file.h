@@ -1,44 +1,43 @@
-// Fabrics as JSON: files that keep every value together with its unit and where it is from.
+// Fabrics as JSON files: every value with its unit and provenance.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 
-#include "drench/export.h"
+#include "drench/config.h"
 #include "drench/fabric.h"
 
 namespace drench {
 
-/// Reads a fabric from JSON text, one object. Its keys:
-/// - `name`, a text; without it the fabric is called as the one that it is like, or "fabric";
-/// - `like`, a name of `fabrics::names()`: what is not said is as there. Without it every parameter must be there;
-/// - `construction`: "plain weave", "twill" or "knit";
-/// - each parameter by its name in `fabricParameters()`: a number in its SI unit, which counts as given, or an object
-///   with `value`, `unit` (such as "g/m2" or "mm"; default the SI unit), `provenance` (default "given") and `source`,
-///   a text that must be there if it was measured. docs/files.md lists the units;
-/// - `$schema`, for editors, which is not looked at.
+/// Reads a fabric from JSON text: one object, with the keys
+/// - `name`, a string; default: that of the base fabric, or "fabric";
+/// - `like`, the base fabric for omitted keys, one of `fabrics::names()`; without it all parameters are required;
+/// - `construction`: "plain weave", "twill" or "knit"; default: that of the base fabric, or "plain weave";
+/// - each parameter, by its name in `fabricParameters()`: a number in its SI unit, with the provenance "given", or an
+///   object with `value`, `unit` (such as "g/m2" or "mm"; default: the SI unit), `provenance` (default: "given") and
+///   `source`, a string that is required if the value is measured. docs/files.md lists the units;
+/// - `$schema`, for editors; ignored.
 ///
-/// @throws std::invalid_argument that names the key by its path, as in `thickness.unit`, or line and column where the
-///     syntax is broken, and says what may be given: for keys that are not known, are there twice or are missing,
-///     values of another type or out of range, units of another kind, what `validate` refuses, and text of more than
-///     1 MB, with more than 10,000 values or more than 8 deep.
+/// @throws std::invalid_argument that names the path of the key, as in `thickness.unit`, or line and column of a syntax
+///     error, and says what is allowed: for unknown, duplicate or missing keys, values of another type or out of range,
+///     units of another kind, fabrics that `validate` refuses, and text of more than 1 MB, 10,000 values or 8 levels
 DRENCH_API Fabric fabricFromText(std::string_view text);
 
-/// A fabric as JSON text, of which `fabricFromText` makes the same, to the last bit.
+/// A fabric as JSON text, from which `fabricFromText` makes a bit-identical fabric.
 /// @throws std::invalid_argument for a fabric that `validate` or `fabricFromText` refuses
 DRENCH_API std::string fabricText(const Fabric& fabric);
 
-/// Reads a fabric file, text as in `fabricFromText`.
-/// @throws std::runtime_error that names the file, and says what is wrong with it
+/// Reads a fabric file; see `fabricFromText`.
+/// @throws std::runtime_error that names the file and the reason
 DRENCH_API Fabric readFabric(const std::filesystem::path& path);
 
-/// Writes a fabric file, which appears under its name only once it is whole; folders above it are made.
-/// @throws std::invalid_argument as `fabricText`; std::runtime_error that names the path and says what is in the way
+/// Writes a fabric file, atomically; missing parent folders are made.
+/// @throws std::invalid_argument as `fabricText`; std::runtime_error that names the path and the reason
 DRENCH_API void writeFabric(const std::filesystem::path& path, const Fabric& fabric);
 
-/// The JSON Schema (draft 2020-12) of fabric files, for editors and other programs. It knows keys, units, and the
-/// ranges of plain numbers; how values must fit each other it does not.
+/// JSON Schema (draft 2020-12) of fabric files, for editors and other programs. It checks keys, units, and the ranges
+/// of plain numbers, but not whether the values fit each other.
 DRENCH_API std::string fabricSchema();
 
 }  // namespace drench

@@ -1,4 +1,4 @@
-// Cloth from OBJ files.
+// Reads triangle meshes from OBJ files.
 #pragma once
 
 #include <array>
@@ -6,49 +6,48 @@
 #include <string_view>
 #include <vector>
 
-#include "drench/export.h"
+#include "drench/config.h"
 #include "drench/triangle_mesh.h"
 
 namespace drench {
 
-/// What becomes of an OBJ file.
+/// Options for OBJ files.
 struct MeshReading {
-    /// Metres in one unit of the file; 1e-6 to 1e6. Default 1.
+    /// Length of one unit of the file, m; 1e-6 to 1e6; default 1.
     double scale = 1;
-    /// Whether texture coordinates (vt) are kept, for `texturedCoordinates`; then every corner must have them. Default
-    /// no.
+    /// Whether to read texture coordinates (vt), for `texturedCoordinates`; every corner must then have them. Default:
+    /// false.
     bool texture = false;
 };
 
-/// A mesh as a file has it, and what was left out.
+/// A mesh read from a file, and what was left out of it.
 struct MeshFile {
-    TriangleMesh mesh;  ///< one that `validate` lets pass
-    /// Of each node its vertex in the file, counted from 1 as OBJ files do.
+    TriangleMesh mesh;  ///< valid: `validate` accepts it
+    /// For each node the number of its vertex in the file, from 1.
     std::vector<int> vertexInFile;
-    /// Objects and groups that have faces; all of them together are the mesh.
+    /// Number of objects and groups with faces; together they are the mesh.
     int objects = 0;
-    /// Triangles left out since they had no area, by their vertices in the file.
+    /// Triangles that were left out because their area is 0, by vertex numbers in the file.
     std::vector<std::array<int, 3>> flatTriangles;
-    /// Triangles left out since an earlier one joins the same vertices.
+    /// Triangles that were left out because an earlier one has the same vertices.
     std::vector<std::array<int, 3>> doubleTriangles;
-    /// Vertices left out since no triangle has them.
+    /// Number of vertices that were left out because no triangle uses them.
     int loneVertices = 0;
-    /// Sides of three and more triangles. They are allowed, and do not bend.
+    /// Number of edges with more than two triangles. They are allowed, but have no bending stiffness.
     int branchingSides = 0;
 };
 
-/// Reads the faces of OBJ text. Quads are cut along their shorter diagonal and other polygons into triangles; relative
-/// indices, several objects and groups are understood; normals, materials, lines and curves are passed over. Faces with
-/// the same vertex are joined there, and others are not, even where their vertices are at the same place.
-/// @throws std::invalid_argument that names the line: for a vertex or texture coordinate that has too few numbers, ones
-///     that are not finite, or that are beyond 1e6 m; for a face with less than 3 or more than 1000 corners, or an
-///     index that is not there. Also for text without faces with an area, or of more than 256 MB or a million
-///     vertices, and for a scale out of range.
+/// Reads the faces of OBJ text. Quads are divided along their shorter diagonal, other polygons are triangulated.
+/// Relative indices, several objects and groups are supported; normals, materials, lines and curves are ignored. Faces
+/// are joined only at shared vertices, not at different vertices with equal positions.
+/// @throws std::invalid_argument that names the line: for a vertex or texture coordinate with too few numbers, numbers
+///     that are not finite or beyond 1e6 m; for a face with less than 3 or more than 1000 corners, or an index out of
+///     range. Also for text without any face of an area above 0, text of more than 256 MB or a million vertices, and a
+///     scale out of range
 DRENCH_API MeshFile meshFromText(std::string_view text, const MeshReading& reading = {});
 
 /// Reads an OBJ file; see `meshFromText`.
-/// @throws std::runtime_error that names the file, and says what is wrong with it; std::invalid_argument for a scale
-///     out of range
+/// @throws std::runtime_error that names the file and the reason; std::invalid_argument for a scale out of range
 DRENCH_API MeshFile readMesh(const std::filesystem::path& path, const MeshReading& reading = {});
 
 }  // namespace drench

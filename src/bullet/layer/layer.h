@@ -27,7 +27,6 @@
 #include "bullet/sheet/sheet_mechanics.h"
 #include "bullet/world/body_watch.h"
 #include "bullet/world/ticks.h"
-#include "drench/drop.h"
 #include "drench/moisture.h"
 #include "drench/snapshot.h"
 #include "drench/source.h"

@@ -9,9 +9,9 @@
 #include "cloth/link_stiffness.h"
 #include "drench/cloth_mesh.h"
 #include "drench/fabric.h"
+#include "drench/health.h"
 #include "drench/moisture.h"
 #include "drench/precision.h"
-#include "drench/step_times.h"
 #include "drench/wet_laws.h"
 
 namespace drench {
