@@ -61,7 +61,7 @@ void appendCloth(btSoftBody& body, const TriangleMesh& mesh) {
     }
 }
 
-void setMasses(btSoftBody& body, double arealDensity) {
+void setMeshMasses(btSoftBody& body, double arealDensity) {
     writeClothMasses(body, arealDensity, [&](int face, btScalar inBullet) {
         const auto area = double(inBullet);
         if (!(area > 0) || !std::isfinite(btScalar(1 / (arealDensity * area))))
@@ -100,7 +100,7 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
     auto body =
         std::make_unique<btSoftBody>(&worldInfo, static_cast<int>(places.size()), places.data(), nullptr);
     appendCloth(*body, mesh);
-    setMasses(*body, fabric.arealDensity);
+    setMeshMasses(*body, fabric.arealDensity);
     body->m_cfg.kDF = btScalar(fabric.plateFrictionDry);
     setContactSizes(*body, worldInfo);
     return body;

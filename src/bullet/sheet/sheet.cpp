@@ -135,7 +135,7 @@ void appendLinks(btSoftBody& body, const Grid& grid) {
     }
 }
 
-void setMasses(btSoftBody& body, double arealDensity) {
+void setGridMasses(btSoftBody& body, double arealDensity) {
     writeClothMasses(body, btScalar(arealDensity), [](int face, btScalar area) {
         if (!(area > 0) || !std::isfinite(1 / area))
             throw std::invalid_argument(
@@ -164,7 +164,7 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
     auto body = bodyOfNodes(worldInfo, positionsOf(corners, grid));
     appendFaces(*body, grid);
     appendLinks(*body, grid);
-    setMasses(*body, fabric.arealDensity);
+    setGridMasses(*body, fabric.arealDensity);
 
     const btScalar cell = cellSize(corners, grid);
     body->getCollisionShape()->setMargin(std::min(cell / 4, btScalar(0.02)));
