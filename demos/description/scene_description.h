@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "viewer/picture/picture.h"
-#include "world/scene_world.h"
+#include "world/world_kind.h"
 
 namespace drench::demo {
 

@@ -1,11 +1,13 @@
-#include "description/scene_exchange.h"
+#include "description/scene_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "description/scene_exchange_common.h"
-#include "description/scene_exchange_sheet.h"
+#include "files/json_text.h"
+#include "state/whole_file.h"
 
 namespace drench::demo {
 
@@ -277,12 +279,38 @@ void exchangeScene(Fields& fields, SceneDescription& scene) {
 
 }  // namespace
 
-void exchange(FieldReader& fields, SceneDescription& scene) {
+SceneDescription readScene(std::string_view text) {
+    const nlohmann::json json = files::parseJson(text);
+    files::FieldReader fields(json, "");
+    SceneDescription scene;
     exchangeScene(fields, scene);
+    fields.finish();
+    return scene;
 }
 
-void exchange(FieldWriter& fields, SceneDescription& scene) {
+std::string sceneText(const SceneDescription& description) {
+    files::FieldWriter fields;
+    SceneDescription scene = description;
     exchangeScene(fields, scene);
+    return files::prettyText(fields.result());
+}
+
+SceneDescription loadScene(const std::filesystem::path& path) {
+    try {
+        return readScene(files::readWhole(path, files::JsonLimits().bytes));
+    } catch (const std::invalid_argument& problem) {
+        throw std::runtime_error("scene file " + path.string() + ": " + problem.what());
+    }
+}
+
+void saveScene(const std::filesystem::path& path, const SceneDescription& description) {
+    const std::string text = sceneText(description);
+    try {
+        readScene(text);
+    } catch (const std::invalid_argument& problem) {
+        throw std::runtime_error("the scene as it is now fits no scene file: " + std::string(problem.what()));
+    }
+    files::writeWhole(path, text);
 }
 
 }  // namespace drench::demo

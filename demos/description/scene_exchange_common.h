@@ -1,4 +1,4 @@
-// What several parts of a scene file have in common.
+// What the fields of a scene file have in common, and those of its sheets.
 #pragma once
 
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <string>
 #include <type_traits>
 
+#include "description/scene_description.h"
 #include "files/json_fields.h"
 #include "world/angles.h"
 
@@ -55,5 +56,11 @@ void optionalChoice(Fields& fields, const std::string& key, std::optional<Value>
         fields.choice(key, *value, names);
     }
 }
+
+/// Reads a sheet. @throws std::invalid_argument as `files::FieldReader`
+void exchangeSheet(files::FieldReader& fields, SheetDescription& sheet);
+
+/// Writes a sheet.
+void exchangeSheet(files::FieldWriter& fields, SheetDescription& sheet);
 
 }  // namespace drench::demo

@@ -1,9 +1,8 @@
-#include "description/scene_exchange_sheet.h"
+#include "description/scene_exchange_common.h"
 
 #include <cmath>
 #include <stdexcept>
 
-#include "description/scene_exchange_common.h"
 #include "files/fabric_fields.h"
 
 namespace drench::demo {

@@ -7,7 +7,7 @@
 namespace drench::demo {
 
 /// Makes the scene that the options name or describe.
-/// @throws std::invalid_argument as the functions of that name in scene.h
+/// @throws std::invalid_argument as the functions of that name in registry.h
 std::unique_ptr<Scene> makeScene(const RunOptions& options);
 
 /// The scene as it is now.

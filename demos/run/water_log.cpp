@@ -1,5 +1,7 @@
 #include "run/water_log.h"
 
+#include <drench/wet_cloth.h>
+
 #include <utility>
 
 namespace drench::demo {

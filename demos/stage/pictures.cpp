@@ -1,5 +1,8 @@
 #include "stage/pictures.h"
 
+#include <BulletSoftBody/btSoftBody.h>
+#include <drench/wet_cloth.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,13 +1,20 @@
 // Sheets as the viewer wants them.
 #pragma once
 
-#include <BulletSoftBody/btSoftBody.h>
-#include <drench/drench.h>
+#include <drench/precision.h>
 
 #include <optional>
 #include <vector>
 
 #include "viewer/picture/picture.h"
+
+class btSoftBody;
+
+namespace drench {
+inline namespace DRENCH_BULLET_NAMESPACE {
+class WetCloth;
+}
+}  // namespace drench
 
 namespace drench::demo {
 

@@ -1,7 +1,5 @@
-// What a scene of the demo program is, and which ones there are.
+// What a scene of the demo program is.
 #pragma once
-
-#include <drench/drench.h>
 
 #include <iosfwd>
 #include <memory>
@@ -14,7 +12,6 @@
 #include "stage/pictures.h"
 #include "viewer/gl/image.h"
 #include "viewer/picture/picture.h"
-#include "world/scene_world.h"
 
 namespace drench::demo {
 

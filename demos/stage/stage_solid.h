@@ -5,6 +5,7 @@
 
 #include "description/scene_description.h"
 #include "viewer/picture/picture.h"
+#include "world/scene_world.h"
 
 namespace drench::demo {
 

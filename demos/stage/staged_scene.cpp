@@ -22,6 +22,13 @@ void setResolution(SheetDescription& sheet, int nodesWarp) {
 
 }  // namespace
 
+std::vector<SceneSheet> Scene::sheets() {
+    std::vector<SceneSheet> list;
+    for (Stage* stage : stages())
+        for (SceneCloth* sheet : stage->sheets()) list.push_back({sheet->name(), &sheet->wet()});
+    return list;
+}
+
 SceneDescription fitted(SceneDescription description, const SceneOptions& options) {
     for (SheetDescription& sheet : description.sheets) {
         if (!options.fabric.empty()) sheet.fabric = fabricDescription(options.fabric);

@@ -9,13 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "world/world_kind.h"
+
 namespace drench::demo {
-
-/// Bullet's worlds for soft bodies.
-enum class WorldKind { softRigid, deformable };
-
-/// What moves the sheets of a soft-rigid world; the deformable one has its own solver.
-enum class SolverKind { smallStep, stock };
 
 /// A world as an application would set one up; owns the rigid bodies in it. Gravity is 9.81 m/s2 downwards (-y).
 class SceneWorld {

@@ -1,6 +1,8 @@
 // A sheet that has its picture taken, and what to read off pictures.
 #pragma once
 
+#include <drench/drench.h>
+
 #include <array>
 #include <cmath>
 #include <memory>

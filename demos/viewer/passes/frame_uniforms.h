@@ -9,7 +9,7 @@
 
 namespace drench::viewer {
 
-// The uniform block Frame of shaders_lighting.h in std140 layout; the two must be changed together.
+// The uniform block Frame of frame.glsl in std140 layout; the two must be changed together.
 struct FrameUniforms {
     static constexpr std::size_t mostBalls = 8;
 

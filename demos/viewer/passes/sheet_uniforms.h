@@ -9,7 +9,7 @@
 
 namespace drench::viewer {
 
-// The uniform block Sheet of shaders_sheet.h in std140 layout; the two must be changed together.
+// The uniform block Sheet of sheetBlock.glsl in std140 layout; the two must be changed together.
 struct SheetUniforms {
     // The lowest and the highest material coordinates, metres.
     std::array<float, 4> clothBounds;
