@@ -12,6 +12,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "checks/text.h"
 #include "description/scene_file.h"
 #include "run/exporter.h"
 #include "run/film.h"
@@ -150,8 +151,8 @@ std::unique_ptr<Scene> makeScene(const RunOptions& options) {
 SceneDescription describedNow(Scene& scene) {
     const std::vector<Stage*> stages = scene.stages();
     if (stages.size() != 1)
-        throw std::runtime_error("this scene is played in " + std::to_string(stages.size()) +
-                                 " worlds, and a scene file holds one; save another scene");
+        throw std::runtime_error(textOf("this scene is played in ", stages.size(),
+                                        " worlds, and a scene file holds one; save another scene"));
     return stages.front()->describe();
 }
 

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "checks/text.h"
 #include "scenes/scene_texts.h"
 #include "world/angles.h"
 
@@ -151,14 +152,14 @@ void Cling::check(std::vector<std::string>& list) const {
     const double hangsOnBy = fabric.clingEnergy / (gravity * (fabric.arealDensity + fabric.poreCapacity()));
     const bool shouldStay = turnedFar && hangsOnBy > shortestHold;
     if (shouldStay && !(wet.carried() > carriedAlong * degrees(turned_)))
-        list.push_back("the ball turned by " + std::to_string(degrees(turned_)) +
-                       " degrees and carried the wet sheet by " + std::to_string(wet.carried()));
+        list.push_back(textOf("the ball turned by ", sixDigits(degrees(turned_)),
+                              " degrees and carried the wet sheet by ", sixDigits(wet.carried())));
     if (shouldStay && !(wet.contactShare() > stays))
-        list.push_back("the wet sheet touches its ball with " + std::to_string(wet.contactShare()) +
-                       " of its nodes");
+        list.push_back(
+            textOf("the wet sheet touches its ball with ", sixDigits(wet.contactShare()), " of its nodes"));
     if (turnedFar && dry.contactShare() > lost && !(dry.carried() < leftBehind))
-        list.push_back("the dry sheet was carried by " + std::to_string(dry.carried()) +
-                       " degrees and is still on its ball");
+        list.push_back(textOf("the dry sheet was carried by ", sixDigits(dry.carried()),
+                              " degrees and is still on its ball"));
 }
 
 }  // namespace drench::demo

@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "checks/text.h"
 #include "scenes/scene_texts.h"
 #include "world/vectors.h"
 
@@ -69,7 +70,7 @@ void Drape::check(std::vector<std::string>& list) const {
         const std::string& name = cloth(side).name();
         const double deep = penetration(side);
         if (!(deep < deepestAllowed))
-            list.push_back("the " + name + " sheet is " + std::to_string(deep) + " m inside its ball");
+            list.push_back(textOf("the ", name, " sheet is ", sixDigits(deep), " m inside its ball"));
         if (!(cloth(side).highest() > balls_[side].position.y() + 0.9 * balls_[side].radius))
             list.push_back("the " + name + " sheet has slid off its ball");
     }
@@ -77,8 +78,8 @@ void Drape::check(std::vector<std::string>& list) const {
     const double saturated = cloth(0).mass() * (1 + fabric.poreCapacity() / fabric.arealDensity);
     const double withDrops = cloth(1).mass() + cloth(1).wet().ledger().dripped;
     if (std::abs(withDrops - saturated) > 1e-6 * saturated)
-        list.push_back("the wet sheet and what dripped from it weigh " + std::to_string(withDrops) +
-                       " kg instead of " + std::to_string(saturated) + " kg");
+        list.push_back(textOf("the wet sheet and what dripped from it weigh ", sixDigits(withDrops),
+                              " kg instead of ", sixDigits(saturated), " kg"));
 }
 
 }  // namespace drench::demo

@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "checks/text.h"
 #include "scenes/scene_texts.h"
 #include "world/angles.h"
 #include "world/vectors.h"
@@ -131,11 +132,12 @@ void Slide::check(std::vector<std::string>& list) const {
     if (!shows || !(time() > measuredAt)) return;
     const double expected = dryTheory(measuredAt);
     if (std::abs(measuredDry_ - expected) > mayMissBy * expected)
-        list.push_back("the dry sheet slid " + std::to_string(measuredDry_) + " m instead of " +
-                       std::to_string(expected));
-    if (!(std::abs(slid(1)) < holds)) list.push_back("the damp sheet slid " + std::to_string(slid(1)) + " m");
+        list.push_back(
+            textOf("the dry sheet slid ", sixDigits(measuredDry_), " m instead of ", sixDigits(expected)));
+    if (!(std::abs(slid(1)) < holds))
+        list.push_back(textOf("the damp sheet slid ", sixDigits(slid(1)), " m"));
     if (!(slid(2) > slid(1) + 5 * holds))
-        list.push_back("the soaked sheet slid only " + std::to_string(slid(2)) + " m");
+        list.push_back(textOf("the soaked sheet slid only ", sixDigits(slid(2)), " m"));
 }
 
 }  // namespace drench::demo

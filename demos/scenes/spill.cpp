@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 
+#include "checks/text.h"
 #include "scenes/scene_texts.h"
 #include "world/angles.h"
 
@@ -211,7 +212,7 @@ std::string Spill::remarks() const {
 
 void Spill::check(std::vector<std::string>& list) const {
     const auto expect = [&](bool good, const std::string& what, double value) {
-        if (!good) list.push_back(what + ": " + std::to_string(value));
+        if (!good) list.push_back(textOf(what, ": ", sixDigits(value)));
     };
     expect(deepestInTable() < deepestAllowed, "the cloth is inside the table, m", deepestInTable());
     const Ledger ledger = cloth().wet().ledger();

@@ -105,7 +105,7 @@ TEST(FabricFile, NamesTheKeyThatIsOff) {
                   {"thickness.value is missing", "0.02 to 20 mm"});
     expectRefused(R"({"like": "cotton", "thickness": {"value": 21, "unit": "mm"}})",
                   {"thickness.value is 21 mm", "0.02 to 20 mm"});
-    expectRefused(R"({"like": "cotton", "thickness": 3})", {"thickness is 3", "2e-05 to 0.02"});
+    expectRefused(R"({"like": "cotton", "thickness": 3})", {"thickness is 3", "2e-5 to 0.02"});
     expectRefused(R"({"like": "cotton", "thickness": "thin"})", {"thickness is \"thin\"", "give a number"});
     expectRefused(R"({"like": "cotton", "thickness": null})", {"thickness is null"});
     expectRefused(R"({"like": "cotton", "thickness": NaN})", {"line 1, column 33"});

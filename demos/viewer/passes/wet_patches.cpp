@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
-#include <string>
 
+#include "checks/text.h"
 #include "viewer/shaders/shaders.h"
 
 namespace drench::viewer {
@@ -27,9 +27,9 @@ void requireComplete() {
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
         throw std::runtime_error(
-            "viewer: the graphics driver cannot provide a map of wet patches "
-            "(framebuffer status " +
-            std::to_string(status) + "); ask for a smaller picture or update the driver");
+            textOf("viewer: the graphics driver cannot provide a map of wet patches "
+                   "(framebuffer status ",
+                   status, "); ask for a smaller picture or update the driver"));
     }
 }
 

@@ -4,10 +4,10 @@
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <string>
 
 #include "bullet/sheet/link_order.h"
 #include "bullet/world/vectors.h"
+#include "checks/checks.h"
 #include "drench/sheet.h"
 
 namespace drench {
@@ -85,10 +85,9 @@ void setMasses(btSoftBody& body, double arealDensity) {
         const btVector3& origin = face.m_n[0]->m_x;
         const double area = double((face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin).length()) / 2;
         if (!(area > 0) || !std::isfinite(btScalar(1 / (arealDensity * area))))
-            throw std::invalid_argument("drench: mesh: triangle " + std::to_string(f) + " has an area of " +
-                                        std::to_string(area) +
-                                        " m2 as Bullet sees it; set its nodes apart, move the mesh closer to "
-                                        "the origin, or scale it to metres");
+            refuse("mesh: triangle ", f, " has an area of ", sixDigits(area),
+                   " m2 as Bullet sees it; set its nodes apart, move the mesh closer to "
+                   "the origin, or scale it to metres");
         for (const btSoftBody::Node* node : face.m_n)
             masses[static_cast<std::size_t>(node - &body.m_nodes[0])] += arealDensity * area / 3;
     }
@@ -134,8 +133,8 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
 void pin(btSoftBody& body, const std::vector<int>& nodes) {
     for (const int node : nodes)
         if (node < 0 || node >= body.m_nodes.size())
-            throw std::out_of_range("drench: pin: there is no node " + std::to_string(node) + " among " +
-                                    std::to_string(body.m_nodes.size()));
+            refuse<std::out_of_range>("pin: there is no node ", node, " among ", body.m_nodes.size(),
+                                      "; give 0 to ", body.m_nodes.size() - 1);
     for (const int node : nodes) body.m_nodes[node].m_im = 0;
 }
 
