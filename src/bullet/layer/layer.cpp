@@ -20,8 +20,6 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-constexpr std::size_t mostDropsKept = 100000;
-
 double checkedWaterSpeed(const char* name, double waterSpeed) {
     if (waterSpeed >= 0 && waterSpeed <= 1e5) return waterSpeed;
     refuse(name, " is ", waterSpeed, "; give a value from 0 to 100000");
