@@ -24,7 +24,7 @@ struct Table {
 void print(std::ostream& out, const Table& table);
 
 /// Writes a CSV file with a header line and full digits; what was not measured is empty. Otherwise as
-/// `viewer::writeWhole`.
+/// `files::writeWhole`.
 void writeCsv(const std::filesystem::path& path, const Table& table);
 
 }  // namespace drench::demo
