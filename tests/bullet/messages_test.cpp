@@ -78,6 +78,14 @@ TEST(Messages, SettingsOfSmallSteps) {
     EXPECT_EQ(refusalOf(-3, 0.01), "drench: SmallSteps::count is -3; give 1 to 1000, or 0 to have it chosen");
 }
 
+class ThrowingWind final : public WindField {
+  public:
+    Eigen::Vector3d velocity(const Eigen::Vector3d&, double) const override {
+        throw std::runtime_error("out of balloons");
+    }
+    double length() const override { return 1; }
+};
+
 class EndlessWind final : public WindField {
   public:
     Eigen::Vector3d velocity(const Eigen::Vector3d&, double) const override { return {0, infinite, 1e-7}; }
@@ -86,6 +94,13 @@ class EndlessWind final : public WindField {
 
 TEST(Messages, TroubleOfAWindFieldNamesIt) {
     AnyWorld rig(Mover::stock);
+    rig.cloth().air().field = std::make_shared<ThrowingWind>();
+    rig.run(1);
+    ASSERT_EQ(rig.cloth().troubles().size(), 1u);
+    EXPECT_EQ(rig.cloth().troubles()[0].what, Trouble::air);
+    EXPECT_EQ(rig.cloth().troubles()[0].message, "the wind field in WetCloth::air().field: out of balloons");
+
+    rig.cloth().clearTroubles();
     rig.cloth().air().field = std::make_shared<EndlessWind>();
     rig.run(1);
     ASSERT_EQ(rig.cloth().troubles().size(), 1u);

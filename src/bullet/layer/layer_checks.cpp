@@ -160,7 +160,10 @@ void WetCloth::Layer::readAir(double bodyStep) {
     try {
         winds.evaluate(usedAir, {pose, toEigen(pose.origin), time, bodyStep, world});
     } catch (const std::exception& problem) {
-        troubles.noteThrown(Trouble::air, problem.what());
+        const std::string why = reasonOf(problem);
+        const bool isNamed = why.find("wind field") != std::string::npos;  // as by Drench's own checks
+        troubles.noteThrown(Trouble::air,
+                            isNamed ? why : textOf("the wind field in WetCloth::air().field: ", why));
     }
     mechanics.times.air += watchOfWind.lap();
 }
