@@ -147,6 +147,10 @@ void readConstruction(FieldReader& fields, Construction& construction) {
     fields.choice("construction", construction, constructions());
 }
 
+bool isInformationOnly(const FabricParameter& parameter) {
+    return parameter.member == &Fabric::contactAngle;
+}
+
 std::vector<std::string> unitsOf(const FabricParameter& parameter) {
     std::vector<std::string> names;
     for (const Unit& unit : kindOf(parameter)) names.emplace_back(unit.name);

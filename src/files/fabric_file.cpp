@@ -30,10 +30,14 @@ bool readBase(FieldReader& fields, Fabric& fabric) {
 }
 
 void readParameters(FieldReader& fields, Fabric& fabric, bool hasBase) {
-    for (const FabricParameter& parameter : fabricParameters())
-        if (!files::readQuantity(fields, parameter, fabric.*parameter.member) && !hasBase)
+    for (const FabricParameter& parameter : fabricParameters()) {
+        Quantity& quantity = fabric.*parameter.member;
+        if (files::readQuantity(fields, parameter, quantity) || hasBase) continue;
+        if (!files::isInformationOnly(parameter))
             fields.refuse(std::string(parameter.name), "is missing; give it, in ", parameter.unit,
                           ", or say with \"like\" which ready fabric has the rest");
+        quantity = {quantity.value, Provenance::assumed, "not given; that of cotton"};
+    }
 }
 
 /// @throws std::invalid_argument that says what is wrong
