@@ -1,11 +1,12 @@
 #include "description/scene_description.h"
-#include "checks/text.h"
 
 #include <drench/files/fabric_file.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+
+#include "checks/text.h"
 
 namespace drench::demo {
 

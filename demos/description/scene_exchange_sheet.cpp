@@ -1,9 +1,9 @@
-#include "checks/checks.h"
 #include "description/scene_exchange_common.h"
 
 #include <cmath>
 #include <stdexcept>
 
+#include "checks/checks.h"
 #include "files/fabric_fields.h"
 
 namespace drench::demo {

@@ -1,5 +1,4 @@
 #include "run/recorder.h"
-#include "checks/text.h"
 
 #ifndef _WIN32
 #include <fcntl.h>
@@ -18,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "checks/text.h"
 #include "state/whole_file.h"
 
 #ifndef _WIN32

@@ -1,5 +1,4 @@
 #include "scenes/drape_meter.h"
-#include "checks/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <random>
 #include <sstream>
 
+#include "checks/text.h"
 #include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "world/angles.h"

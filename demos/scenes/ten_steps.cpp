@@ -1,5 +1,4 @@
 #include "scenes/ten_steps.h"
-#include "checks/text.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +9,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "checks/text.h"
 #include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "stage/staged_scene.h"

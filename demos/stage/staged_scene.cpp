@@ -1,5 +1,4 @@
 #include "stage/staged_scene.h"
-#include "checks/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,8 @@
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+
+#include "checks/text.h"
 
 namespace drench::demo {
 

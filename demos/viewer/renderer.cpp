@@ -1,11 +1,11 @@
 #include "viewer/renderer.h"
-#include "checks/text.h"
 
 #include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
+#include "checks/text.h"
 #include "viewer/gl/gl_error_count.h"
 #include "viewer/gl/render_target.h"
 #include "viewer/passes/airborne_water.h"

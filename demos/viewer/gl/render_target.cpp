@@ -1,10 +1,11 @@
 #include "viewer/gl/render_target.h"
-#include "checks/text.h"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
+
+#include "checks/text.h"
 
 namespace drench::viewer {
 

@@ -1,10 +1,10 @@
 #include "viewer/passes/sheet_surface.h"
-#include "checks/text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "checks/text.h"
 #include "viewer/passes/shader_values.h"
 
 namespace drench::viewer {

@@ -1,10 +1,10 @@
 #include "viewer/passes/wet_patches.h"
-#include "checks/text.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 
+#include "checks/text.h"
 #include "viewer/passes/shader_values.h"
 #include "viewer/shaders/shaders.h"
 

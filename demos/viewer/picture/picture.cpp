@@ -1,9 +1,10 @@
 #include "viewer/picture/picture.h"
-#include "checks/text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "checks/text.h"
 
 namespace drench::viewer {
 
