@@ -228,6 +228,11 @@ struct Ending {
         cloth->soak(0.1);
         world->step(0.05, 10);
     }
+    ~Ending() {
+        if (world && body && body->getBroadphaseHandle()) removeBody();
+    }
+    Ending(const Ending&) = delete;
+    Ending& operator=(const Ending&) = delete;
     void removeBody() { world->world().removeSoftBody(body.get()); }
 };
 

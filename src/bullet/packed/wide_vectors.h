@@ -22,12 +22,14 @@ struct Vector {
 /// The four numbers of a node, of whatever kind.
 template <typename Node>
 DRENCH_INLINE Four& four(Node& node) {
-    static_assert(sizeof(Node) == sizeof(Four) && alignof(Node) == alignof(Four), "a packed node");
+    static_assert(sizeof(Node) == sizeof(Four));
+    static_assert(alignof(Node) == alignof(Four));
     return reinterpret_cast<Four&>(node);
 }
 template <typename Node>
 DRENCH_INLINE const Four& four(const Node& node) {
-    static_assert(sizeof(Node) == sizeof(Four) && alignof(Node) == alignof(Four), "a packed node");
+    static_assert(sizeof(Node) == sizeof(Four));
+    static_assert(alignof(Node) == alignof(Four));
     return reinterpret_cast<const Four&>(node);
 }
 DRENCH_INLINE const Eight& eight(const float* values) {
