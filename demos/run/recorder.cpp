@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "checks/text.h"
 #include "state/whole_file.h"
 
 #ifdef _WIN32
 #include "run/recorder_none.h"
 #else
-#include "checks/text.h"
 #include "run/recorder_posix.h"
 #endif
 
