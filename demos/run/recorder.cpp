@@ -17,7 +17,6 @@
 #include <thread>
 #include <vector>
 
-#include "checks/text.h"
 #include "state/whole_file.h"
 
 #ifndef _WIN32

@@ -34,7 +34,7 @@ void appendFloat(std::string& text, Float value) {
     } else if (std::isinf(value)) {
         text += value < 0 ? "-infinity" : "infinity";
     } else if (std::abs(value) >= Float(1e-4) && std::abs(value) < Float(1e6)) {
-        appendNumber(text, value, std::chars_format::fixed);  // 100000, where shorter were 1e5
+        appendNumber(text, value, std::chars_format::fixed);  // 100000 reads better than 1e5
     } else {
         appendNumber(text, value);
     }

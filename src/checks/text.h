@@ -9,7 +9,7 @@
 
 namespace drench {
 
-/// A calculated value, of which a message says six digits; what somebody has given is said in full.
+/// A calculated value, printed with six digits. Given values are printed in full.
 struct SixDigits {
     double value;
 };

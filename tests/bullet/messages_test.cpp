@@ -78,6 +78,50 @@ TEST(Messages, SettingsOfSmallSteps) {
     EXPECT_EQ(refusalOf(-3, 0.01), "drench: SmallSteps::count is -3; give 1 to 1000, or 0 to have it chosen");
 }
 
+TEST(Messages, WaterOfSheetsAndDrops) {
+    AnyWorld rig(Mover::stock);
+    rig.cloth().soak(0.1);
+    const double water = rig.cloth().waterMass();
+    FallingDrops drops(rig.world());
+    btCollisionObject tray;
+    for (const Value& each : wrong) {
+        EXPECT_EQ(
+            refusal([&] { rig.cloth().addWater(40, each.value); }),
+            std::string("drench: ") + each.text + " kg of water for node 40; give a mass from 0 to 1e6 kg");
+        WetBody wet(tray);
+        wet.filmThickness = each.value;
+        EXPECT_EQ(refusal([&] { rig.cloth().add(wet); }), std::string("drench: WetBody::filmThickness is ") +
+                                                              each.text + " m; give a value from 0 to 0.01");
+        Surface slippery = {0, 0, 0};
+        slippery.frictionDamp = each.value;
+        EXPECT_EQ(
+            refusal([&] { rig.cloth().setSurface(tray, slippery); }),
+            std::string("drench: Surface::frictionDamp is ") + each.text + "; give a value from 0 to 5");
+        if (each.value < 1e300 || each.value > 1e300 ||
+            std::isnan(each.value)) {  // 1e300 s is long, and allowed
+            EXPECT_EQ(refusal([&] { drops.step(each.value); }),
+                      std::string("drench: drops cannot fall for ") + each.text +
+                          " s; give a finite time of at least 0 s");
+        }
+    }
+    EXPECT_EQ(
+        refusal([&] {
+            rig.cloth().addWater(40, 1e-3, {btScalar(2e6), 0, 0});
+        }),
+        "drench: water for node 40 has a velocity of (2e6, 0, 0) m/s; give finite numbers from -1e6 to 1e6");
+    EXPECT_EQ(rig.cloth().waterMass(), water);
+}
+
+TEST(Messages, BodiesOfNumbersThatAreNotFinite) {
+    demo::BulletWorld bullet;
+    const auto sheet = test::smallSheet(bullet.worldInfo());
+    sheet->m_nodes[7].m_x.setValue(btScalar(0.1), std::numeric_limits<btScalar>::quiet_NaN(), 0);
+    EXPECT_EQ(refusal([&] { WetCloth(bullet.world(), *sheet, fabrics::cottonPlain()); }),
+              "drench: WetCloth: node 7 is at (0.1, NaN, 0) m, with a velocity of (0, 0, 0) m/s; give finite "
+              "numbers "
+              "before attaching");
+}
+
 class ThrowingWind final : public WindField {
   public:
     Eigen::Vector3d velocity(const Eigen::Vector3d&, double) const override {

@@ -15,7 +15,8 @@ namespace {
 void checkVelocity(const char* what, std::size_t node, const Eigen::Vector3d& velocity) {
     constexpr double fastest = 1e6;  // m/s
     if (!(velocity.cwiseAbs().maxCoeff() <= fastest) || !velocity.allFinite())
-        refuse("water ", what, " node ", node, " has a velocity that is not finite or over 1e6; give m/s");
+        refuse("water ", what, " node ", node, " has a velocity of ", velocity,
+               " m/s; give finite numbers from -1e6 to 1e6");
 }
 
 }  // namespace

@@ -60,8 +60,8 @@ void checkBody(const btSoftBody& body) {
                "and do not call generateClusters");
     for (int n = 0; n < body.m_nodes.size(); ++n)
         if (!isFinite(body.m_nodes[n].m_x) || !isFinite(body.m_nodes[n].m_v))
-            refuse("WetCloth: node ", n,
-                   " has a position or velocity that is not finite; mend it before attaching");
+            refuse("WetCloth: node ", n, " is at ", body.m_nodes[n].m_x, " m, with a velocity of ",
+                   body.m_nodes[n].m_v, " m/s; give finite numbers before attaching");
 }
 
 void checkPlanes(const btCollisionWorld& world, const btSoftBody& body) {

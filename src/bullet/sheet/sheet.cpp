@@ -40,7 +40,7 @@ void check(const Fabric& fabric, const Corners& corners, const Grid& grid) {
     for (const btVector3* corner : {&corners.origin, &corners.warpEnd, &corners.weftEnd, &corners.opposite})
         for (int axis = 0; axis < 3; ++axis)
             if (!std::isfinite((*corner)[axis]))
-                refuse("makeSheet was given a corner that is not finite; give positions in metres");
+                refuse("makeSheet was given a corner at ", *corner, "; give finite positions, in metres");
     const btVector3 warp = corners.warpEnd - corners.origin, weft = corners.weftEnd - corners.origin;
     if (warp.cross(weft).length() <= btScalar(1e-9))
         refuse(
