@@ -31,8 +31,8 @@ MeshEdges::MeshEdges(const std::vector<std::array<int, 3>>& triangles, std::size
     for (std::size_t lower = 0; lower < nodes; ++lower) {
         const auto row = byLower[lower];
         sorted.assign(row.begin(), row.end());
-        std::stable_sort(sorted.begin(), sorted.end(),
-                         [](const FromLower& a, const FromLower& b) { return a.upper < b.upper; });
+        std::sort(sorted.begin(), sorted.end(),
+                  [](const FromLower& a, const FromLower& b) { return a.upper < b.upper; });
         for (std::size_t i = 0; i < sorted.size(); ++i) {
             if (i == 0 || sorted[i].upper != sorted[i - 1].upper)
                 ends_.push_back({static_cast<int>(lower), sorted[i].upper});

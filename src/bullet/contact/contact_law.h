@@ -12,11 +12,11 @@ class btSoftBody;
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// A friction coefficient as an application has given it to Bullet, 1: at most 1000, which holds whatever presses; a
-/// negative one and NaN count as 0.
+/// Makes a friction coefficient usable that an application has given to Bullet: negative or NaN friction counts as 0,
+/// and anything above 1000 as 1000, which holds whatever presses.
 double usableFriction(double coefficient);
 
-/// Friction coefficient between the cloths of two bodies when dry, 1: the larger of their m_cfg.kDF, from 0 to 1000.
+/// Friction coefficient between the cloths of two bodies when dry: the larger of their m_cfg.kDF, made usable.
 btScalar dryFriction(const btSoftBody& one, const btSoftBody& other);
 
 /// Traction of the bond between two cloths, N/m2, from what each has: both have to be wet, and as the nodes of either
@@ -26,7 +26,7 @@ inline double bondTractionBetween(double one, double other) {
 }
 
 /// Whether a node is bonded. A bond forms where faces touch, and breaks where they are farther apart than it reaches.
-/// @param adhesion  force of the bond, in any unit; without one there is no bond
+/// @param adhesion  force of the bond, in any unit; 0 for none
 /// @param isJoined  whether the faces touch, or were bonded before
 /// @param gap       between the faces, m, negative inside
 inline bool bondHolds(double adhesion, bool isJoined, double gap, double reach) {
@@ -36,7 +36,7 @@ inline bool bondHolds(double adhesion, bool isJoined, double gap, double reach) 
 /// One contact in one step. Pushes and adhesion are of the same unit, whatever is proportional to a force: impulses, or
 /// how far they take a node.
 struct ContactLaw {
-    btScalar friction;  // coefficient, 1
+    btScalar friction;  // Coulomb's coefficient
     btScalar adhesion;  // the largest pull that the bond holds; 0 without one
 
     /// What holds the faces apart, or, below 0, together: all that is needed to close the gap, but no pull beyond
@@ -52,10 +52,10 @@ inline btVector3 alongSurface(const btVector3& vector, const btVector3& normal) 
     return vector - normal * vector.dot(normal);
 }
 
-/// Friction, to be taken off: it opposes the slip, and stops it at the most.
+/// Friction, along the slip that it opposes, so to be subtracted; never more than stops the slip.
 /// @param slip      along the surface
-/// @param length    of it, above 0
-/// @param stopping  friction that would stop the slip
+/// @param length    of the slip, above 0
+/// @param stopping  friction that would just stop it
 inline btVector3 drag(const btVector3& slip, btScalar length, btScalar stopping, btScalar maxFriction) {
     return slip * (std::min(maxFriction, stopping) / length);
 }
