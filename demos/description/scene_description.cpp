@@ -1,4 +1,5 @@
 #include "description/scene_description.h"
+#include "checks/text.h"
 
 #include <drench/files/fabric_file.h>
 
@@ -19,7 +20,7 @@ Fabric FabricDescription::fabric() const {
                              return parameter.name == wanted;
                          });
         if (found == all.end())
-            throw std::invalid_argument("fabrics have no parameter '" + parameterName + "'");
+            throw std::invalid_argument(textOf("fabrics have no parameter ", inQuotes(parameterName)));
         made.*(found->member) = value;
     }
     if (construction) made.construction = *construction;
@@ -45,14 +46,13 @@ FabricDescription fabricDescription(const std::string& nameOrFile) {
 SolidDescription solidNamed(const SceneDescription& scene, const std::string& name) {
     for (const SolidDescription& solid : scene.solids)
         if (solid.name == name) return solid;
-    throw std::invalid_argument("the scene '" + scene.name + "' has no solid '" + name + "'");
+    throw std::invalid_argument(textOf("the scene ", inQuotes(scene.name), " has no solid ", inQuotes(name)));
 }
 
 int nodeOfPin(int number, int nodes) {
     if (number < -nodes || number >= nodes)
-        throw std::invalid_argument("there is no node " + std::to_string(number) + " among " +
-                                    std::to_string(nodes) + "; give " + std::to_string(-nodes) + " to " +
-                                    std::to_string(nodes - 1));
+        throw std::invalid_argument(
+            textOf("there is no node ", number, " among ", nodes, "; give ", -nodes, " to ", nodes - 1));
     return number < 0 ? nodes + number : number;
 }
 

@@ -128,8 +128,8 @@ void exchangeShape(Fields& fields, SolidDescription& solid) {
 void checkMass(const FieldReader& fields, double mass) {
     constexpr double lightest = 1e-6;  // kg
     if (mass > 0 && mass < lightest)
-        fields.refuse("mass",
-                      "is " + shown(mass) + "; give 0, for a body that stays where it is, or 1e-6 to 1e6");
+        fields.refuse("mass", "is ", shown(mass),
+                      "; give 0, for a body that stays where it is, or 1e-6 to 1e6");
 }
 
 template <typename Fields>
@@ -176,8 +176,8 @@ void exchangeWater(Fields& fields, PoolDescription& pool) {
         if (!((pool.to - pool.from).minCoeff() > 0))
             fields.refuse("greatestCorner", "is not beyond leastCorner; give larger x and z");
         if (!(pool.bottom < pool.level))
-            fields.refuse("bottom", "is " + shown(pool.bottom) + ", not below the level of the pool, " +
-                                        shown(pool.level) + "; give a lower bottom or a higher level");
+            fields.refuse("bottom", "is ", pool.bottom, ", not below the level of the pool, ", pool.level,
+                          "; give a lower bottom or a higher level");
     }
 }
 
@@ -199,9 +199,9 @@ void exchangeWater(Fields& fields, BrushDescription& brush) {
 void exchangeSheetNames(FieldReader& fields, std::vector<std::string>& names) {
     const nlohmann::json* found = fields.any("sheets");
     if (!found) return;
-    if (!found->is_array()) fields.refuse("sheets", "is " + shown(*found) + "; give a list of sheets' names");
+    if (!found->is_array()) fields.refuse("sheets", "is ", shown(*found), "; give a list of sheets' names");
     for (const nlohmann::json& name : *found) {
-        if (!name.is_string()) fields.refuse("sheets", "has " + shown(name) + " in it; give sheets' names");
+        if (!name.is_string()) fields.refuse("sheets", "has ", shown(name), " in it; give sheets' names");
         names.push_back(name.get<std::string>());
     }
 }
@@ -231,16 +231,15 @@ void checkNames(const FieldReader& fields, const std::string& list, const Entrie
     std::set<std::string> names;
     for (std::size_t i = 0; i < entries.size(); ++i)
         if (!entries[i].name.empty() && !names.insert(entries[i].name).second)
-            fields.refuse(list + '[' + std::to_string(i) + "].name",
-                          "is \"" + entries[i].name + "\", which another has already");
+            fields.refuse(textOf(list, '[', i, "].name"), "is \"", entries[i].name,
+                          "\", which another has already");
 }
 
 /// What depends on several of a scene's parts.
 void checkWhole(const FieldReader& fields, const SceneDescription& scene) {
     double nodes = 0;
     for (const SheetDescription& sheet : scene.sheets) nodes += double(sheet.nodes[0]) * sheet.nodes[1];
-    if (nodes > mostNodes)
-        fields.refuse("sheets", "have " + shown(nodes) + " nodes in all; give at most 250000");
+    if (nodes > mostNodes) fields.refuse("sheets", "have ", nodes, " nodes in all; give at most 250000");
     checkNames(fields, "sheets", scene.sheets);
     checkNames(fields, "solids", scene.solids);
     checkNames(fields, "sources", scene.sources);
@@ -248,8 +247,8 @@ void checkWhole(const FieldReader& fields, const SceneDescription& scene) {
         for (const std::string& name : scene.sources[i].sheets)
             if (std::none_of(scene.sheets.begin(), scene.sheets.end(),
                              [&](const SheetDescription& sheet) { return sheet.name == name; }))
-                fields.refuse("sources[" + std::to_string(i) + "].sheets",
-                              "names " + shown(name) + ", which is no sheet of this scene");
+                fields.refuse(textOf("sources[", i, "].sheets"), "names ", shown(name),
+                              ", which is no sheet of this scene");
 }
 void checkWhole(const FieldWriter&, const SceneDescription&) {}
 

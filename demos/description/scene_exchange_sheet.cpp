@@ -1,3 +1,4 @@
+#include "checks/checks.h"
 #include "description/scene_exchange_common.h"
 
 #include <cmath>
@@ -28,7 +29,7 @@ void exchangeFabric(FieldReader& fields, FabricDescription& fabric) {
     try {
         fabric.fabric();
     } catch (const std::invalid_argument& problem) {
-        fields.refuse("fabric", std::string("does not hold together: ") + problem.what());
+        fields.refuse("fabric", "does not hold together: ", reasonOf(problem));
     }
 }
 
@@ -50,8 +51,8 @@ std::optional<int> pinNumber(const FieldReader& fields, const nlohmann::json& va
     if (value == "all") return std::nullopt;
     const double number = value.is_number() ? value.get<double>() : NAN;
     if (number != std::floor(number) || !(number >= -nodes && number < nodes))
-        fields.refuse(key, "is " + shown(value) + "; give a whole number, " + std::to_string(-nodes) +
-                               " to " + std::to_string(nodes - 1) + ", or \"all\"");
+        fields.refuse(key, "is ", shown(value), "; give a whole number, ", -nodes, " to ", nodes - 1,
+                      ", or \"all\"");
     return static_cast<int>(number);
 }
 
@@ -59,13 +60,12 @@ void exchangePins(FieldReader& fields, SheetDescription& sheet) {
     const nlohmann::json* found = fields.any("pins");
     if (!found) return;
     if (!found->is_array())
-        fields.refuse("pins",
-                      "is " + shown(*found) + "; give a list of pairs such as [0, -1] or [0, \"all\"]");
+        fields.refuse("pins", "is ", shown(*found), "; give a list of pairs such as [0, -1] or [0, \"all\"]");
     for (std::size_t i = 0; i < found->size(); ++i) {
         const nlohmann::json& pair = (*found)[i];
         const std::string key = "pins[" + std::to_string(i) + ']';
         if (!pair.is_array() || pair.size() != 2)
-            fields.refuse(key, "is " + shown(pair) + "; give a pair such as [0, -1] or [0, \"all\"]");
+            fields.refuse(key, "is ", shown(pair), "; give a pair such as [0, -1] or [0, \"all\"]");
         sheet.pins.push_back({pinNumber(fields, pair[0], key + "[0]", sheet.nodes[0]),
                               pinNumber(fields, pair[1], key + "[1]", sheet.nodes[1])});
     }
@@ -90,8 +90,7 @@ void exchangeNodes(FieldReader& fields, std::array<int, 2>& nodes) {
         nodes[i] = static_cast<int>(number);
     }
     if (double(nodes[0]) * nodes[1] > mostNodes)
-        fields.refuse("nodes", "are " + std::to_string(nodes[0]) + " x " + std::to_string(nodes[1]) +
-                                   "; give at most 250000 in all");
+        fields.refuse("nodes", "are ", nodes[0], " x ", nodes[1], "; give at most 250000 in all");
 }
 
 void exchangeNodes(FieldWriter& fields, const std::array<int, 2>& nodes) {
@@ -103,8 +102,7 @@ void checkState(const FieldReader& fields, const SheetDescription& sheet) {
     const SheetState& state = *sheet.state;
     const auto check = [&](const char* key, std::size_t size, std::size_t each) {
         if (size != nodes)
-            fields.refuse(key, "has numbers for " + std::to_string(size) + " nodes; give " +
-                                   std::to_string(each) + " for each of the " + std::to_string(nodes));
+            fields.refuse(key, "has numbers for ", size, " nodes; give ", each, " for each of the ", nodes);
     };
     check("positions", state.positions.size(), 3);
     check("velocities", state.velocities.size(), 3);

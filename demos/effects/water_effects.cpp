@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bullet/fluid/rigid_shelter.h"
+#include "checks/checks.h"
 #include "world/angles.h"
 #include "world/vectors.h"
 
@@ -48,8 +49,9 @@ viewer::WaterDrop seen(const Eigen::Vector3d& position, const Eigen::Vector3d& v
     return {position.cast<float>(), velocity.cast<float>(), float(radius)};
 }
 
-void require(bool holds, const std::string& what) {
-    if (!holds) throw std::invalid_argument("drench: " + what);
+template <typename... Parts>
+void require(bool holds, const Parts&... what) {
+    if (!holds) refuse(what...);
 }
 
 template <typename Element, typename Condition>
@@ -64,12 +66,10 @@ WaterEffects::WaterEffects(const btCollisionWorld& world, const WaterEffectsLimi
 
 void WaterEffects::rain(double intensity, const Eigen::Vector3d& velocity,
                         const Eigen::AlignedBox3d& region) {
-    require(
-        intensity >= 0 && std::isfinite(intensity),
-        "rain of " + std::to_string(intensity) + " mm/h is not possible; give a finite number of at least 0");
-    require(velocity.allFinite() && velocity.y() < -0.1,
-            "rain must fall at 0.1 m/s or more; its velocity upwards is " + std::to_string(velocity.y()) +
-                " m/s");
+    require(intensity >= 0 && std::isfinite(intensity), "rain of ", intensity,
+            " mm/h is not possible; give a finite number of at least 0");
+    require(velocity.allFinite() && velocity.y() < -0.1, "the velocity of rain is ", velocity,
+            " m/s; give finite numbers, and y below -0.1");
     require(!region.isEmpty() && region.min().allFinite() && region.max().allFinite() && region.volume() > 0,
             "the region of the rain is empty or not finite; give it a volume");
     shower_.intensity = intensity;
@@ -79,13 +79,14 @@ void WaterEffects::rain(double intensity, const Eigen::Vector3d& velocity,
 
 void WaterEffects::spray(const Nozzle& nozzle) {
     require(nozzle.place.allFinite() && nozzle.direction.allFinite() && nozzle.direction.norm() > 0,
-            "a nozzle needs a finite place, and a direction longer than 0");
-    require(nozzle.halfAngle >= 0 && nozzle.halfAngle <= pi / 2,
-            "the half angle of a nozzle must be 0 to pi/2, not " + std::to_string(nozzle.halfAngle));
-    require(nozzle.speed > 0 && std::isfinite(nozzle.speed),
-            "the speed of a nozzle must be above 0 m/s, not " + std::to_string(nozzle.speed));
-    require(nozzle.rate >= 0 && std::isfinite(nozzle.rate),
-            "the rate of a nozzle must be at least 0 kg/s, not " + std::to_string(nozzle.rate));
+            "a nozzle is at ", nozzle.place, " m and points along ", nozzle.direction,
+            "; give finite numbers, and a direction longer than 0");
+    require(nozzle.halfAngle >= 0 && nozzle.halfAngle <= pi / 2, "the half angle of a nozzle is ",
+            nozzle.halfAngle, " rad; give 0 to pi/2");
+    require(nozzle.speed > 0 && std::isfinite(nozzle.speed), "the speed of a nozzle is ", nozzle.speed,
+            " m/s; give a finite number above 0");
+    require(nozzle.rate >= 0 && std::isfinite(nozzle.rate), "the rate of a nozzle is ", nozzle.rate,
+            " kg/s; give a finite number of at least 0");
     nozzles_.push_back(nozzle);
 }
 
@@ -114,11 +115,10 @@ void WaterEffects::follow(const FallingDrops& drops) {
 }
 
 void WaterEffects::step(double frameTime, const Air& air, double waterSpeed) {
-    require(
-        frameTime >= 0 && std::isfinite(frameTime),
-        "a frame of " + std::to_string(frameTime) + " s is not possible; give a finite time of at least 0 s");
-    require(waterSpeed >= 0 && std::isfinite(waterSpeed),
-            "a water speed of " + std::to_string(waterSpeed) + " is not possible; give 0 or more");
+    require(frameTime >= 0 && std::isfinite(frameTime), "a frame of ", frameTime,
+            " s is not possible; give a finite time of at least 0 s");
+    require(waterSpeed >= 0 && std::isfinite(waterSpeed), "a water speed of ", waterSpeed,
+            " is not possible; give 0 or more");
     places_.keepOnlyIn(world_);
     findSheets();
     beginRain(frameTime);

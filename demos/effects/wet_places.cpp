@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <stdexcept>
 
+#include "checks/checks.h"
 #include "world/angles.h"
 #include "world/vectors.h"
 
@@ -31,7 +31,7 @@ double WetPlaces::wetnessOf(double massPerArea) {
 }
 
 WetPlaces::WetPlaces(std::size_t most) : most_(most) {
-    if (most < 1) throw std::invalid_argument("drench: there must be room for at least 1 wet place, not 0");
+    if (most < 1) refuse("there is room for ", most, " wet places; give at least 1");
 }
 
 /// The place on a body whose middle is nearest, if that is within so many of its radii or within `reach`, m.

@@ -1,4 +1,5 @@
 #include "run/recorder.h"
+#include "checks/text.h"
 
 #ifndef _WIN32
 #include <fcntl.h>
@@ -178,12 +179,11 @@ Recorder::~Recorder() = default;
 
 void Recorder::add(const viewer::Image& image) {
     if (image.width != width_ || image.height != height_)
-        throw std::invalid_argument("a film of " + std::to_string(width_) + " x " + std::to_string(height_) +
-                                    " takes no picture of " + std::to_string(image.width) + " x " +
-                                    std::to_string(image.height));
+        throw std::invalid_argument(textOf("a film of ", width_, " x ", height_, " takes no picture of ",
+                                           image.width, " x ", image.height));
     if (!ffmpeg_ || !ffmpeg_->write(image.rgb.data(), image.rgb.size()))
-        throw std::runtime_error("ffmpeg has ended before the film " + file_.string() +
-                                 " was whole; see what it says above");
+        throw std::runtime_error(textOf("ffmpeg has ended before the film ", file_.string(),
+                                        " was whole; see what it says above"));
 }
 
 void Recorder::finish() {
@@ -191,8 +191,8 @@ void Recorder::finish() {
     const int status = ffmpeg_->end();
     ffmpeg_.reset();
     if (status != 0)
-        throw std::runtime_error("ffmpeg could not make the film " + file_.string() + " (exit status " +
-                                 std::to_string(status) + "); see what it says above");
+        throw std::runtime_error(textOf("ffmpeg could not make the film ", file_.string(), " (exit status ",
+                                        status, "); see what it says above"));
 }
 
 void Recorder::check(const std::filesystem::path& file) {
@@ -214,8 +214,8 @@ void Recorder::check(const std::filesystem::path& file) {
     std::error_code ignored;
     std::filesystem::remove(trial, ignored);
     if (!whole)
-        throw std::runtime_error("ffmpeg cannot make the film " + file.string() +
-                                 "; see what it says above, or choose another ending, such as .mp4");
+        throw std::runtime_error(textOf("ffmpeg cannot make the film ", file.string(),
+                                        "; see what it says above, or choose another ending, such as .mp4"));
 }
 
 }  // namespace drench::demo

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "checks/text.h"
 #include "description/scene_file.h"
 #include "run/exporter.h"
 #include "run/runners.h"
@@ -154,8 +155,8 @@ std::unique_ptr<Scene> makeScene(const RunOptions& options) {
 SceneDescription describedNow(Scene& scene) {
     const std::vector<Stage*> stages = scene.stages();
     if (stages.size() != 1)
-        throw std::runtime_error("this scene is played in " + std::to_string(stages.size()) +
-                                 " worlds, and a scene file holds one; save another scene");
+        throw std::runtime_error(textOf("this scene is played in ", stages.size(),
+                                        " worlds, and a scene file holds one; save another scene"));
     return stages.front()->describe();
 }
 

@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
-#include <sstream>
 
+#include "checks/text.h"
 #include "description/scene_file.h"
 #include "run/exporter.h"
 #include "scenes/registry.h"
@@ -25,15 +25,14 @@ std::vector<std::string> sceneNames() {
 
 /// CLI11's own range check lets "nan" through.
 CLI::Validator inRange(double least, double most) {
-    std::ostringstream range;
-    range << least << " to " << most;
+    const std::string range = textOf(least, " to ", most);
     return CLI::Validator(
-        [=, range = range.str()](const std::string& text) -> std::string {
+        [=](const std::string& text) -> std::string {
             double value = 0;
             if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return "";
             return "give a number from " + range + ", not '" + text + "'";
         },
-        "FLOAT, " + range.str());
+        "FLOAT, " + range);
 }
 
 /// An empty name is most likely a variable that is not set.

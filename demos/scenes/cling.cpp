@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/text.h"
 #include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "stage/staged_scene.h"
@@ -161,14 +162,14 @@ class Cling final : public StagedScene {
             fabric.clingEnergy / (gravity * (fabric.arealDensity + fabric.poreCapacity()));
         const bool shouldStay = turnedFar && hangsOnBy > shortestHold;
         if (shouldStay && !(wet.carried() > carriedAlong * degrees(turned_)))
-            list.push_back("the ball turned by " + std::to_string(degrees(turned_)) +
-                           " degrees and carried the wet sheet by " + std::to_string(wet.carried()));
+            list.push_back(textOf("the ball turned by ", sixDigits(degrees(turned_)),
+                                  " degrees and carried the wet sheet by ", sixDigits(wet.carried())));
         if (shouldStay && !(wet.contactShare() > stays))
-            list.push_back("the wet sheet touches its ball with " + std::to_string(wet.contactShare()) +
-                           " of its nodes");
+            list.push_back(textOf("the wet sheet touches its ball with ", sixDigits(wet.contactShare()),
+                                  " of its nodes"));
         if (turnedFar && dry.contactShare() > lost && !(dry.carried() < leftBehind))
-            list.push_back("the dry sheet was carried by " + std::to_string(dry.carried()) +
-                           " degrees and is still on its ball");
+            list.push_back(textOf("the dry sheet was carried by ", sixDigits(dry.carried()),
+                                  " degrees and is still on its ball"));
     }
 
     std::array<std::unique_ptr<Side>, 2> sides_;  // dry and wet

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/text.h"
 #include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "stage/staged_scene.h"
@@ -146,8 +147,8 @@ class Clothesline final : public StagedScene {
             const double caught = samples_[i].caught - samples_[i - 1].caught;
             const double gain = samples_[i].mass - samples_[i - 1].mass - caught;
             if (gain < rounding) continue;
-            list.push_back("the mass grows by " + std::to_string(1e6 * gain) + " mg after " +
-                           std::to_string(double(i) * frameTime) + " s");
+            list.push_back(textOf("the mass grows by ", sixDigits(1e6 * gain), " mg after ",
+                                  sixDigits(double(i) * frameTime), " s"));
             break;
         }
         checkDrops(list);
@@ -280,8 +281,8 @@ class Clothesline final : public StagedScene {
         if (dropsFallen_ == 0) {
             list.emplace_back("no drop has fallen");
         } else if (lightestDrop_ < lightest || heaviestDrop_ > heaviest) {
-            list.push_back("drops have " + std::to_string(1e6 * lightestDrop_) + " to " +
-                           std::to_string(1e6 * heaviestDrop_) + " mg instead of 30 to 85 mg");
+            list.push_back(textOf("drops have ", sixDigits(1e6 * lightestDrop_), " to ",
+                                  sixDigits(1e6 * heaviestDrop_), " mg instead of 30 to 85 mg"));
         }
     }
 
@@ -289,14 +290,14 @@ class Clothesline final : public StagedScene {
         constexpr double rateTolerance = 0.05, contentTolerance = 0.03;
         const auto rate = constantRate();
         if (rate && !(std::abs(rate->measured - rate->expected) < rateTolerance * rate->expected))
-            list.push_back("it loses " + std::to_string(rate->measured) +
-                           " g/(m2 h) where the formula gives " + std::to_string(rate->expected));
+            list.push_back(textOf("it loses ", sixDigits(rate->measured),
+                                  " g/(m2 h) where the formula gives ", sixDigits(rate->expected)));
         if (!wholeLength_) return;
         if (!rate && cloth().isMadeOf("cotton"))  // thinner cloth drips until parts of it are dry
             list.emplace_back("there was no time between dripping and drying up to measure its drying");
         if (!(std::abs(content() - balance_) < contentTolerance * balance_))
-            list.push_back("it ends at a content of " + std::to_string(content()) + " instead of " +
-                           std::to_string(balance_));
+            list.push_back(textOf("it ends at a content of ", sixDigits(content()), " instead of ",
+                                  sixDigits(balance_)));
     }
 
     bool wholeLength_;       // nobody asked for it to end early

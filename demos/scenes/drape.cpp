@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/text.h"
 #include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "stage/staged_scene.h"
@@ -79,7 +80,7 @@ class Drape final : public StagedScene {
             const std::string& name = cloth(side).name();
             const double deep = penetration(side);
             if (!(deep < deepestAllowed))
-                list.push_back("the " + name + " sheet is " + std::to_string(deep) + " m inside its ball");
+                list.push_back(textOf("the ", name, " sheet is ", sixDigits(deep), " m inside its ball"));
             if (!(cloth(side).highest() > balls_[side].position.y() + 0.9 * balls_[side].radius))
                 list.push_back("the " + name + " sheet has slid off its ball");
         }
@@ -87,8 +88,8 @@ class Drape final : public StagedScene {
         const double saturated = cloth(0).mass() * (1 + fabric.poreCapacity() / fabric.arealDensity);
         const double withDrops = cloth(1).mass() + cloth(1).wet().ledger().dripped;
         if (std::abs(withDrops - saturated) > 1e-6 * saturated)
-            list.push_back("the wet sheet and what dripped from it weigh " + std::to_string(withDrops) +
-                           " kg instead of " + std::to_string(saturated) + " kg");
+            list.push_back(textOf("the wet sheet and what dripped from it weigh ", sixDigits(withDrops),
+                                  " kg instead of ", sixDigits(saturated), " kg"));
     }
 
     std::vector<SolidDescription> balls_;  // of the dry and the wet sheet

@@ -1,4 +1,5 @@
 #include "scenes/drape_meter.h"
+#include "checks/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -212,10 +213,10 @@ void DrapeMeter::check(std::vector<std::string>& list) const {
     for (std::size_t disc = 0; disc < discs_.size(); ++disc) {
         const double coefficient = drape(disc).coefficient;
         if (!(coefficient > 0 && coefficient < 100))
-            list.push_back("the " + discs_[disc]->name() + " disc's drape coefficient is " +
-                           std::to_string(coefficient) + " %");
+            list.push_back(textOf("the ", discs_[disc]->name(), " disc's drape coefficient is ",
+                                  sixDigits(coefficient), " %"));
     }
-    if (!atRest()) list.push_back("it is not at rest after " + std::to_string(time()) + " s");
+    if (!atRest()) list.push_back(textOf("it is not at rest after ", sixDigits(time()), " s"));
     if (isTropical_) checkTropical(list);
 }
 
@@ -225,10 +226,10 @@ void DrapeMeter::checkTropical(std::vector<std::string>& list) const {
     constexpr int nodes = 5, nodeTolerance = 1;
     const Drape drape = dry();
     if (!(std::abs(drape.coefficient - measured) <= tolerance))
-        list.push_back("the dry disc's drape coefficient is " + std::to_string(drape.coefficient) +
-                       " % where 50.7 % was measured");
+        list.push_back(textOf("the dry disc's drape coefficient is ", sixDigits(drape.coefficient),
+                              " % where 50.7 % was measured"));
     if (std::abs(drape.nodes - nodes) > nodeTolerance)
-        list.push_back("the dry disc has " + std::to_string(drape.nodes) + " nodes where 5 were measured");
+        list.push_back(textOf("the dry disc has ", drape.nodes, " nodes where 5 were measured"));
 }
 
 std::unique_ptr<Scene> makeDrapeMeter(const SceneOptions& options) {

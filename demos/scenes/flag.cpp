@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/text.h"
 #include "measure/flutter.h"
 #include "scenes/makers.h"
 #include "scenes/scene_texts.h"
@@ -130,15 +131,15 @@ class Flag final : public StagedScene {
         // The wind suits a cotton flag, so only that one is checked for how fast it flaps.
         const bool isCotton = cloth().isMadeOf("cotton"), longEnough = time() >= measuredFor + 2;
         if (isCotton && longEnough && !(wet.frequency() < slower * dry.frequency()))
-            list.push_back("the wet flag flaps at " + std::to_string(wet.frequency()) +
-                           " Hz, the dry one at " + std::to_string(dry.frequency()) + " Hz");
+            list.push_back(textOf("the wet flag flaps at ", sixDigits(wet.frequency()),
+                                  " Hz, the dry one at ", sixDigits(dry.frequency()), " Hz"));
         if (longEnough && !(wet.meanFromHanging() < dry.meanFromHanging() - lower))
-            list.push_back("the wet flag stands out by " + std::to_string(wet.meanFromHanging()) +
-                           " degrees, the dry one by " + std::to_string(dry.meanFromHanging()));
+            list.push_back(textOf("the wet flag stands out by ", sixDigits(wet.meanFromHanging()),
+                                  " degrees, the dry one by ", sixDigits(dry.meanFromHanging())));
         for (const auto& side : sides_)
             if (isCotton && !(side->largestStretch() < mostStretch))
-                list.push_back("a thread of the " + side->cloth().name() + " flag was stretched by " +
-                               std::to_string(100 * side->largestStretch()) + " %");
+                list.push_back(textOf("a thread of the ", side->cloth().name(), " flag was stretched by ",
+                                      sixDigits(100 * side->largestStretch()), " %"));
     }
 
     std::array<std::unique_ptr<Side>, 2> sides_;  // dry and wet

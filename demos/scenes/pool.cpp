@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/text.h"
 #include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "stage/staged_scene.h"
@@ -118,19 +119,19 @@ class Dip final : public StagedScene {
         const Ledger ledger = cloth().wet().ledger();
         if (time() < liftsAt + moves) return;
         if (!(saturationUnderWater_ > 0.97))
-            list.push_back("under water the pores were filled to " + std::to_string(saturationUnderWater_) +
-                           " only");
+            list.push_back(
+                textOf("under water the pores were filled to ", sixDigits(saturationUnderWater_), " only"));
         if (!(meanSaturation() > 0.9))
-            list.push_back("at the end the pores are filled to " + std::to_string(meanSaturation()) +
-                           " only");
+            list.push_back(
+                textOf("at the end the pores are filled to ", sixDigits(meanSaturation()), " only"));
         if (!(ledger.dripped > 0 && ledger.returned > 0))
             list.emplace_back("nothing ran back to the pool, or nothing dripped");
         double lifted = 0;
         for (int n = 0; n < cloth().body().m_nodes.size(); ++n) lifted += cloth().wet().nodeMass(n);
         const double owed = cloth().wet().dryMass() + ledger.supplied - ledger.returned - ledger.dripped;
         if (std::abs(lifted - owed) > 1e-6 * owed)
-            list.push_back("the nodes weigh " + std::to_string(lifted) + " kg instead of " +
-                           std::to_string(owed) + " kg");
+            list.push_back(
+                textOf("the nodes weigh ", sixDigits(lifted), " kg instead of ", sixDigits(owed), " kg"));
     }
 
     double waterLevel_;                // m

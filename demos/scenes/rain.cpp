@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/text.h"
 #include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "stage/staged_scene.h"
@@ -184,14 +185,14 @@ class HalfUnderRoof final : public StagedScene {
         // Single drops scatter by more than 5 % only in a shower of a second or less.
         const double tolerance = std::max(0.05 * expected_, 4 * std::sqrt(expected_ * dropMass));
         if (std::abs(brought() - expected_) > tolerance)
-            list.push_back("the rain brought " + std::to_string(brought()) + " kg instead of " +
-                           std::to_string(expected_) + " kg");
+            list.push_back(textOf("the rain brought ", sixDigits(brought()), " kg instead of ",
+                                  sixDigits(expected_), " kg"));
         if (!(shareDeepInShelter() < 0.01))
-            list.push_back(std::to_string(100 * shareDeepInShelter()) +
-                           " % of the water is under the roof, far from its edge");
+            list.push_back(textOf(sixDigits(100 * shareDeepInShelter()),
+                                  " % of the water is under the roof, far from its edge"));
         const double fromElsewhere = cloth().wet().ledger().supplied - brought();
         if (std::abs(fromElsewhere) > 1e-9)
-            list.push_back("something besides the rain brought " + std::to_string(fromElsewhere) + " kg");
+            list.push_back(textOf("something besides the rain brought ", sixDigits(fromElsewhere), " kg"));
     }
 
     double intensity_;         // mm/h, that it begins with

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/text.h"
 #include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "stage/staged_scene.h"
@@ -135,12 +136,12 @@ class Slide final : public StagedScene {
         if (!shows || !(time() > measuredAt)) return;
         const double expected = dryTheory(measuredAt);
         if (std::abs(measuredDry_ - expected) > mayMissBy * expected)
-            list.push_back("the dry sheet slid " + std::to_string(measuredDry_) + " m instead of " +
-                           std::to_string(expected));
+            list.push_back(textOf("the dry sheet slid ", sixDigits(measuredDry_), " m instead of ",
+                                  sixDigits(expected)));
         if (!(std::abs(slid(1)) < holds))
-            list.push_back("the damp sheet slid " + std::to_string(slid(1)) + " m");
+            list.push_back(textOf("the damp sheet slid ", sixDigits(slid(1)), " m"));
         if (!(slid(2) > slid(1) + 5 * holds))
-            list.push_back("the soaked sheet slid only " + std::to_string(slid(2)) + " m");
+            list.push_back(textOf("the soaked sheet slid only ", sixDigits(slid(2)), " m"));
     }
 
     std::vector<double> starts_;  // of each sheet's middle, along the slope, m

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/text.h"
 #include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "stage/staged_scene.h"
@@ -127,7 +128,7 @@ class Spill final : public StagedScene {
 
     void check(std::vector<std::string>& list) const override {
         const auto expect = [&](bool good, const std::string& what, double value) {
-            if (!good) list.push_back(what + ": " + std::to_string(value));
+            if (!good) list.push_back(textOf(what, ": ", sixDigits(value)));
         };
         expect(deepestInTable() < deepestAllowed, "the cloth is inside the table, m", deepestInTable());
         const Ledger ledger = cloth().wet().ledger();

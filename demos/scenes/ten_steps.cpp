@@ -1,4 +1,5 @@
 #include "scenes/ten_steps.h"
+#include "checks/text.h"
 
 #include <algorithm>
 #include <chrono>
@@ -361,14 +362,13 @@ std::vector<std::string> TenSteps::failures() const {
     for (std::size_t step = 0; step < results_.size(); ++step) {
         const Result& result = results_[step];
         if (result.imbalance > 1e-6)
-            list.push_back("the ledger of step " + std::to_string(step) + " is open by " +
-                           std::to_string(result.imbalance) + " of what was supplied");
+            list.push_back(textOf("the ledger of step ", step, " is open by ", sixDigits(result.imbalance),
+                                  " of what was supplied"));
         const double expected = 1e3 * shareOfSaturation(static_cast<int>(step)) *
                                 sheet().fabric().poreCapacity() * cottonSpacing() * cottonSpacing();
         if (sheet().nodesWarp() == 55 && std::abs(result.waterPerNode - expected) > 1e-4)
-            list.push_back("an inner node of step " + std::to_string(step) + " holds " +
-                           std::to_string(result.waterPerNode) + " g instead of " + std::to_string(expected) +
-                           " g");
+            list.push_back(textOf("an inner node of step ", step, " holds ", sixDigits(result.waterPerNode),
+                                  " g instead of ", sixDigits(expected), " g"));
     }
     return list;
 }

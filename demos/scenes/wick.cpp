@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/text.h"
 #include "scenes/makers.h"
 #include "scenes/scene_texts.h"
 #include "stage/staged_scene.h"
@@ -177,8 +178,8 @@ class Wick final : public StagedScene {
     void check(std::vector<std::string>& list) const override {
         for (std::size_t i = 1; i < heights_.size(); ++i) {
             if (heights_[i] >= heights_[i - 1]) continue;
-            list.push_back("the front falls from " + std::to_string(heights_[i - 1]) + " m to " +
-                           std::to_string(heights_[i]) + " m");
+            list.push_back(textOf("the front falls from ", sixDigits(heights_[i - 1]), " m to ",
+                                  sixDigits(heights_[i]), " m"));
             break;
         }
         if (!hasReference()) return;
@@ -186,15 +187,14 @@ class Wick final : public StagedScene {
         for (const Reference& point : reference) {
             const double height = heightAfter(point.minutes);
             if (std::abs(height - point.height) > tolerance * point.height)
-                list.push_back("after " + std::to_string(point.minutes) + " min the front is at " +
-                               std::to_string(height) + " m instead of " + std::to_string(point.height) +
-                               " m");
+                list.push_back(textOf("after ", point.minutes, " min the front is at ", sixDigits(height),
+                                      " m instead of ", sixDigits(point.height), " m"));
         }
         constexpr double leastDetermination = 0.99;
         const auto washburn = fit();
         if (washburn && !(washburn->determination > leastDetermination))
-            list.push_back("the square of the height does not grow with time: R2 is " +
-                           std::to_string(washburn->determination));
+            list.push_back(textOf("the square of the height does not grow with time: R2 is ",
+                                  sixDigits(washburn->determination)));
         if (!washburn && waterMinutes() > 5) list.emplace_back("the front has not risen enough for a fit");
     }
 

@@ -5,6 +5,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "checks/checks.h"
 #include "world/angles.h"
 #include "world/vectors.h"
 
@@ -30,8 +31,7 @@ btVector3 normalOf(const SheetDescription& sheet) {
 
 void checkSize(const char* what, std::size_t size, int nodes) {
     if (size != std::size_t(nodes))
-        throw std::invalid_argument("the state has " + std::to_string(size) + ' ' + what + " for " +
-                                    std::to_string(nodes) + " nodes");
+        throw std::invalid_argument(textOf("the state has ", size, ' ', what, " for ", nodes, " nodes"));
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ SceneCloth::SceneCloth(SceneWorld& world, const SheetDescription& description, u
         throw;
     }
 } catch (const std::invalid_argument& problem) {
-    throw std::invalid_argument("sheet '" + description.name + "': " + problem.what());
+    throw std::invalid_argument(textOf("sheet ", inQuotes(description.name), ": ", reasonOf(problem)));
 }
 
 SceneCloth::SceneCloth(SceneWorld& world, std::string name, const Fabric& fabric,
@@ -130,8 +130,8 @@ void SceneCloth::restore(const SheetState& state) {
 
 SheetDescription SceneCloth::describe() const {
     if (!isRectangle_)
-        throw std::runtime_error("the sheet '" + name() +
-                                 "' is no rectangle, and a scene file cannot hold it");
+        throw std::runtime_error(
+            textOf("the sheet ", inQuotes(name()), " is no rectangle, and a scene file cannot hold it"));
     SheetDescription now = description_;
     now.waterSpeed = waterSpeed();
     SheetState& state = now.state.emplace();

@@ -1,4 +1,5 @@
 #include "stage/staged_scene.h"
+#include "checks/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,9 @@ namespace {
 
 void setResolution(SheetDescription& sheet, int nodesWarp) {
     if (sheet.state)
-        throw std::invalid_argument("the sheet '" + sheet.name + "' has a state for each of its " +
-                                    std::to_string(sheet.nodes[0]) + " x " + std::to_string(sheet.nodes[1]) +
-                                    " nodes; leave out the resolution");
+        throw std::invalid_argument(textOf("the sheet ", inQuotes(sheet.name),
+                                           " has a state for each of its ", sheet.nodes[0], " x ",
+                                           sheet.nodes[1], " nodes; leave out the resolution"));
     const double share = double(sheet.nodes[1] - 1) / (sheet.nodes[0] - 1);
     sheet.nodes = {nodesWarp, std::max(3, 1 + int(std::lround((nodesWarp - 1) * share)))};
 }
@@ -124,8 +125,8 @@ double broughtBy(const std::string& name, const WetCloth& cloth) {
 void checkLedger(std::vector<std::string>& list, const SceneCloth& cloth) {
     const Ledger ledger = cloth.wet().ledger();
     if (std::abs(ledger.imbalance()) > 1e-6 * ledger.supplied)
-        list.push_back("the ledger of the sheet '" + cloth.name() + "' is open by " +
-                       std::to_string(ledger.imbalance()) + " kg");
+        list.push_back(textOf("the ledger of the sheet ", inQuotes(cloth.name()), " is open by ",
+                              sixDigits(ledger.imbalance()), " kg"));
 }
 
 }  // namespace drench::demo

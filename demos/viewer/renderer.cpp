@@ -1,4 +1,5 @@
 #include "viewer/renderer.h"
+#include "checks/text.h"
 
 #include <array>
 #include <cmath>
@@ -28,19 +29,21 @@ void requireOpenGl33() {
             "viewer: no OpenGL context is current; make an OffscreenContext or a Window first");
     }
     if (version < 33) {
-        throw std::runtime_error("viewer: OpenGL 3.3 is needed, but this context has " +
-                                 std::to_string(version / 10) + "." + std::to_string(version % 10) +
-                                 "; update the graphics driver");
+        throw std::runtime_error(textOf("viewer: OpenGL 3.3 is needed, but this context has ", version / 10,
+                                        ".", version % 10, "; update the graphics driver"));
     }
 }
 
 void requireDrawable(const Picture& picture) {
     picture.camera.check();
     if (!picture.towardsSun.allFinite() || !(picture.towardsSun.norm() > 1e-6f))
-        throw std::runtime_error("viewer: towardsSun must be finite and longer than 0");
+        throw std::runtime_error(textOf("viewer: towardsSun is ", picture.towardsSun,
+                                        "; give finite numbers, and a vector longer than 0"));
     if (!(picture.sunshine >= 0.0f && picture.sunshine <= 1.0f))
-        throw std::runtime_error("viewer: sunshine must be 0 to 1, not " + std::to_string(picture.sunshine));
-    if (!std::isfinite(picture.groundHeight)) throw std::runtime_error("viewer: groundHeight must be finite");
+        throw std::runtime_error(textOf("viewer: sunshine is ", picture.sunshine, "; give 0 to 1"));
+    if (!std::isfinite(picture.groundHeight))
+        throw std::runtime_error(
+            textOf("viewer: groundHeight is ", picture.groundHeight, " m; give a finite number"));
 }
 
 // ImGui and the caller may have left anything behind.

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "checks/checks.h"
 #include "cloth/constants.h"
-#include "state/checks.h"
 
 namespace drench {
 

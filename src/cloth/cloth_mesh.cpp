@@ -1,4 +1,5 @@
 #include "drench/cloth_mesh.h"
+#include "checks/checks.h"
 
 #include <Eigen/LU>
 #include <cmath>
@@ -11,13 +12,9 @@ namespace drench {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
-    throw std::invalid_argument("drench: " + what);
-}
-
 std::string missingNode(std::size_t triangle, int node, std::size_t nodes) {
-    return "triangle " + std::to_string(triangle) + " has the node " + std::to_string(node) + "; " +
-           (nodes > 0 ? "give 0 to " + std::to_string(nodes - 1) : "there are none");
+    return textOf("triangle ", triangle, " has the node ", node, "; ",
+                  nodes > 0 ? textOf("give 0 to ", nodes - 1) : "there are none");
 }
 
 bool isThere(int node, std::size_t nodes) {
@@ -29,12 +26,12 @@ void checkTriangle(const ClothMesh& mesh, std::size_t t) {
     for (const int node : nodes)
         if (!isThere(node, mesh.size())) refuse(missingNode(t, node, mesh.size()));
     if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0])
-        refuse("triangle " + std::to_string(t) + " joins a node with itself; remove it");
+        refuse("triangle ", t, " joins a node with itself; remove it");
     for (const Eigen::Vector2d& corner : mesh.coordinates[t])
         if (!corner.allFinite())
-            refuse("the material coordinates of triangle " + std::to_string(t) + " are not finite");
+            refuse("the material coordinates of triangle ", t, " are not finite; give metres");
     if (!(triangleArea(mesh.coordinates[t]) > 0))
-        refuse("triangle " + std::to_string(t) + " has no area in material coordinates; remove it");
+        refuse("triangle ", t, " has no area in material coordinates; remove it");
 }
 
 }  // namespace
@@ -54,8 +51,8 @@ ClothMesh flatMesh(const std::vector<Eigen::Vector2d>& coordinates,
         std::array<Eigen::Vector2d, 3> corners;
         for (std::size_t corner = 0; corner < 3; ++corner) {
             if (!isThere(nodes[corner], coordinates.size()))
-                throw std::out_of_range(
-                    "drench: " + missingNode(mesh.coordinates.size(), nodes[corner], coordinates.size()));
+                refuse<std::out_of_range>(
+                    missingNode(mesh.coordinates.size(), nodes[corner], coordinates.size()));
             corners[corner] = coordinates[static_cast<std::size_t>(nodes[corner])];
         }
         addThirds(nodes, triangleArea(corners), mesh.areas);
@@ -67,12 +64,11 @@ ClothMesh flatMesh(const std::vector<Eigen::Vector2d>& coordinates,
 void validate(const ClothMesh& mesh) {
     for (std::size_t node = 0; node < mesh.size(); ++node)
         if (!(mesh.areas[node] >= 0) || !std::isfinite(mesh.areas[node]))
-            refuse("node " + std::to_string(node) + " has an area of " + std::to_string(mesh.areas[node]) +
+            refuse("node ", node, " has an area of ", mesh.areas[node],
                    " m2; give a third of its rest triangles, at least 0");
     if (mesh.coordinates.size() != mesh.triangles.size())
-        refuse("there are material coordinates for " + std::to_string(mesh.coordinates.size()) +
-               " triangles, but " + std::to_string(mesh.triangles.size()) +
-               " triangles; give those of the three corners of each");
+        refuse("there are material coordinates for ", mesh.coordinates.size(), " triangles, but ",
+               mesh.triangles.size(), " triangles; give those of the three corners of each");
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) checkTriangle(mesh, t);
 }
 

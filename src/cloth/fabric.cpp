@@ -1,9 +1,8 @@
 #include "drench/fabric.h"
 
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
+#include "checks/checks.h"
 #include "drench/water.h"
 
 namespace drench {
@@ -84,21 +83,16 @@ const std::vector<FabricParameter>& fabricParameters() {
 
 namespace {
 
-[[noreturn]] void refuse(const Fabric& fabric, const std::string& what) {
-    throw std::invalid_argument("drench: fabric '" + fabric.name + "': " + what);
+template <typename... Parts>
+[[noreturn]] void refuseFabric(const Fabric& fabric, const Parts&... parts) {
+    refuse("fabric ", inQuotes(fabric.name), ": ", parts...);
 }
 
-std::string text(double value) {
-    std::ostringstream stream;
-    stream << value;
-    return stream.str();
-}
-
-void checkRange(const Fabric& fabric, const FabricParameter& parameter) {
+void checkParameter(const Fabric& fabric, const FabricParameter& parameter) {
     const double value = fabric.*parameter.member;
     if (std::isfinite(value) && value >= parameter.minimum && value <= parameter.maximum) return;
-    refuse(fabric, std::string(parameter.name) + " is " + text(value) + " " + std::string(parameter.unit) +
-                       "; give a value from " + text(parameter.minimum) + " to " + text(parameter.maximum));
+    refuseFabric(fabric, parameter.name, " is ", value, " ", parameter.unit, "; give a value from ",
+                 parameter.minimum, " to ", parameter.maximum);
 }
 
 // Least bound maximum over regain. A little below it, at 1.54, more than one isotherm of the kind that drying uses
@@ -108,27 +102,25 @@ constexpr double leastBoundOverRegain = 1.6;
 }  // namespace
 
 void validate(const Fabric& fabric) {
-    if (fabric.name.empty()) throw std::invalid_argument("drench: a fabric has no name; set Fabric::name");
-    for (const FabricParameter& parameter : fabricParameters()) checkRange(fabric, parameter);
+    if (fabric.name.empty()) refuse("a fabric has no name; set Fabric::name");
+    for (const FabricParameter& parameter : fabricParameters()) checkParameter(fabric, parameter);
 
     const double porosity = fabric.porosity();
     if (porosity <= 0.01 || porosity >= 0.999)
-        refuse(fabric,
-               "arealDensity " + text(fabric.arealDensity) + " kg/m2, thickness " + text(fabric.thickness) +
-                   " m and fibreDensity " + text(fabric.fibreDensity) + " kg/m3 leave a porosity of " +
-                   text(porosity) +
-                   "; it must lie between 0.01 and 0.999, so mend the thickness or the areal density");
+        refuseFabric(fabric, "arealDensity ", fabric.arealDensity, " kg/m2, thickness ", fabric.thickness,
+                     " m and fibreDensity ", fabric.fibreDensity, " kg/m3 leave a porosity of ",
+                     sixDigits(porosity),
+                     "; it must lie between 0.01 and 0.999, so mend the thickness or the areal density");
     if (fabric.boundMaximum < leastBoundOverRegain * fabric.regain)
-        refuse(fabric, "boundMaximum is " + text(fabric.boundMaximum) + " kg/kg and regain " +
-                           text(fabric.regain) + " kg/kg; boundMaximum must be at least " +
-                           text(leastBoundOverRegain) +
-                           " times regain, so raise boundMaximum or lower regain");
+        refuseFabric(fabric, "boundMaximum is ", fabric.boundMaximum, " kg/kg and regain ", fabric.regain,
+                     " kg/kg; boundMaximum must be at least ", leastBoundOverRegain,
+                     " times regain, so raise boundMaximum or lower regain");
     if (fabric.shear >= fabric.stretchWarp || fabric.shear >= fabric.stretchWeft)
-        refuse(fabric, "shear is " + text(fabric.shear) +
-                           " N/m; it must be smaller than stretchWarp and stretchWeft, which contain it");
+        refuseFabric(fabric, "shear is ", fabric.shear,
+                     " N/m; it must be smaller than stretchWarp and stretchWeft, which contain it");
     if (fabric.airPermeabilitySaturated > fabric.airPermeabilityDry)
-        refuse(fabric, "airPermeabilitySaturated is " + text(fabric.airPermeabilitySaturated) +
-                           " m/s; it must not exceed airPermeabilityDry, " + text(fabric.airPermeabilityDry));
+        refuseFabric(fabric, "airPermeabilitySaturated is ", fabric.airPermeabilitySaturated,
+                     " m/s; it must not exceed airPermeabilityDry, ", fabric.airPermeabilityDry);
 }
 
 }  // namespace drench

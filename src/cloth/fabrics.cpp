@@ -7,8 +7,8 @@
 //   Wang 2011              data-driven elastic models for cloth: stretch and shear
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "checks/checks.h"
 #include "cloth/constants.h"
 #include "drench/fabric.h"
 
@@ -359,7 +359,7 @@ Fabric byName(std::string_view name) {
         if (name == preset.name) return preset.make();
     std::string known;
     for (const Preset& preset : presets) known += (known.empty() ? "" : ", ") + std::string(preset.name);
-    throw std::invalid_argument("drench: no fabric named '" + std::string(name) + "'; there are " + known);
+    refuse("no fabric named ", inQuotes(name), "; there are ", known);
 }
 
 }  // namespace fabrics

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "checks/checks.h"
 #include "drench/water.h"
-#include "state/checks.h"
 
 namespace drench {
 

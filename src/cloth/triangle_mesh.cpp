@@ -1,10 +1,10 @@
 #include "drench/triangle_mesh.h"
+#include "checks/checks.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "cloth/mesh_edges.h"
@@ -13,14 +13,6 @@
 namespace drench {
 
 namespace {
-
-template <typename... Parts>
-[[noreturn]] void refuse(const Parts&... parts) {
-    std::ostringstream message;
-    message << "drench: mesh: ";
-    (message << ... << parts);
-    throw std::invalid_argument(message.str());
-}
 
 std::array<Eigen::Vector3d, 3> cornersOf(const TriangleMesh& mesh, std::size_t t) {
     std::array<Eigen::Vector3d, 3> corners;
@@ -34,7 +26,7 @@ void checkVertices(const TriangleMesh& mesh) {
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         const Eigen::Vector3d& vertex = mesh.vertices[v];
         if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > furthest)
-            refuse("vertex ", v, " is at (", vertex.transpose(), ") m; give finite places within 1e6 m");
+            refuse("mesh: vertex ", v, " is at ", vertex, " m; give finite coordinates from -1e6 to 1e6 m");
     }
 }
 
@@ -42,13 +34,13 @@ void checkTriangle(const TriangleMesh& mesh, std::size_t t) {
     const auto& nodes = mesh.triangles[t];
     for (const int node : nodes)
         if (node < 0 || static_cast<std::size_t>(node) >= mesh.vertices.size())
-            refuse("triangle ", t, " has the node ", node, "; there are ", mesh.vertices.size(),
+            refuse("mesh: triangle ", t, " has the node ", node, "; there are ", mesh.vertices.size(),
                    ", counted from 0");
     if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0])
-        refuse("triangle ", t, " joins a node with itself; remove it");
+        refuse("mesh: triangle ", t, " joins a node with itself; remove it");
     const auto corners = cornersOf(mesh, t);
     if (!((corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() > 0))
-        refuse("triangle ", t, " has no area; remove it, or set its nodes apart");
+        refuse("mesh: triangle ", t, " has no area; remove it, or set its nodes apart");
 }
 
 void checkDoubles(const TriangleMesh& mesh) {
@@ -57,7 +49,7 @@ void checkDoubles(const TriangleMesh& mesh) {
         std::array<int, 3> nodes = mesh.triangles[t];
         std::sort(nodes.begin(), nodes.end());
         if (!known.insert(nodes).second)
-            refuse("triangle ", t, " joins the nodes ", nodes[0], ", ", nodes[1], " and ", nodes[2],
+            refuse("mesh: triangle ", t, " joins the nodes ", nodes[0], ", ", nodes[1], " and ", nodes[2],
                    ", as an earlier one does; cloth is two-sided already, remove the double");
     }
 }
@@ -68,17 +60,19 @@ void checkLoneNodes(const TriangleMesh& mesh) {
         for (const int node : triangle) used[static_cast<std::size_t>(node)] = 1;
     const auto lone = std::find(used.begin(), used.end(), 0);
     if (lone != used.end())
-        refuse("vertex ", lone - used.begin(), " is in no triangle, and would have no mass; remove it");
+        refuse("mesh: vertex ", lone - used.begin(), " is in no triangle, and would have no mass; remove it");
 }
 
 void checkTexture(const TriangleMesh& mesh) {
     if (mesh.textureCoordinates.empty()) return;
     if (mesh.textureCoordinates.size() != mesh.triangles.size())
-        refuse("there are texture coordinates for ", mesh.textureCoordinates.size(), " triangles of ",
+        refuse("mesh: there are texture coordinates for ", mesh.textureCoordinates.size(), " triangles of ",
                mesh.triangles.size(), "; give them for all, or none");
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (const Eigen::Vector2d& corner : mesh.textureCoordinates[t])
-            if (!corner.allFinite()) refuse("the texture coordinates of triangle ", t, " are not finite");
+            if (!corner.allFinite())
+                refuse("mesh: the texture coordinates of triangle ", t,
+                       " are not finite; give finite numbers");
 }
 
 /// A triangle laid flat, its first side along x.
@@ -99,7 +93,7 @@ Eigen::Matrix2d sidesOf(const std::array<Eigen::Vector2d, 3>& corners) {
 }  // namespace
 
 void validate(const TriangleMesh& mesh) {
-    if (mesh.triangles.empty()) refuse("it has no triangles; cloth needs at least one");
+    if (mesh.triangles.empty()) refuse("mesh: it has no triangles; cloth needs at least one");
     checkVertices(mesh);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) checkTriangle(mesh, t);
     checkDoubles(mesh);
@@ -112,8 +106,8 @@ std::vector<std::array<int, 2>> sidesOf(const TriangleMesh& mesh) {
         for (std::size_t k = 0; k < 3; ++k) {
             const int a = triangle[k], b = triangle[(k + 1) % 3];
             if (std::min(a, b) < 0 || static_cast<std::size_t>(std::max(a, b)) >= mesh.vertices.size())
-                throw std::out_of_range("drench: mesh: there is no side from node " + std::to_string(a) +
-                                        " to node " + std::to_string(b));
+                refuse<std::out_of_range>("mesh: there is no side from node ", a, " to node ", b,
+                                          "; give nodes from 0 to ", mesh.vertices.size() - 1);
         }
     return MeshEdges(mesh.triangles, mesh.vertices.size()).ends();
 }
@@ -121,7 +115,7 @@ std::vector<std::array<int, 2>> sidesOf(const TriangleMesh& mesh) {
 std::vector<std::array<Eigen::Vector2d, 3>> texturedCoordinates(const TriangleMesh& mesh) {
     validate(mesh);
     if (mesh.textureCoordinates.empty())
-        refuse("it has no texture coordinates; lay it flat with wrappedCoordinates instead");
+        refuse("mesh: it has no texture coordinates; lay it flat with wrappedCoordinates instead");
     std::vector<std::array<Eigen::Vector2d, 3>> coordinates;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Eigen::Matrix2d texture = sidesOf(mesh.textureCoordinates[t]);
@@ -130,7 +124,7 @@ std::vector<std::array<Eigen::Vector2d, 3>> texturedCoordinates(const TriangleMe
         const Eigen::Vector2d warp =
             (sidesOf(corners).transpose().inverse() * texture.row(0).transpose()).normalized();
         if (!(triangleArea(mesh.textureCoordinates[t]) > 0) || !warp.allFinite())
-            refuse("the texture coordinates of triangle ", t,
+            refuse("mesh: the texture coordinates of triangle ", t,
                    " span no area, so that its warp has no direction; mend them, or use wrappedCoordinates");
         const Eigen::Vector2d weft(-warp.y(), warp.x());
         for (Eigen::Vector2d& corner : corners) corner = Eigen::Vector2d(corner.dot(warp), corner.dot(weft));

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numeric>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "checks/checks.h"
 #include "files/recording.h"
 #include "state/whole_file.h"
 
@@ -16,14 +16,6 @@ namespace {
 
 constexpr std::size_t mostBytesEver =
     2'000'000'000;  // of which the sizes in a .glb file, 32 bits, still have room
-
-template <typename... Parts>
-std::string message(const Parts&... parts) {
-    std::ostringstream text;
-    text << "drench: animation: ";
-    (text << ... << parts);
-    return text.str();
-}
 
 std::vector<float> flat(const std::vector<Eigen::Vector3f>& vectors) {
     std::vector<float> numbers;
@@ -47,18 +39,18 @@ void checkNames(const std::vector<ClothFrame>& sheets) {
     std::set<std::string> names;
     for (const ClothFrame& sheet : sheets)
         if (!names.insert(sheet.name).second)
-            throw std::invalid_argument(
-                message("two sheets are called '", sheet.name, "'; give each a name of its own"));
+            refuse("animation: two sheets are called ", inQuotes(sheet.name),
+                   "; give each a name of its own");
 }
 
 void checkFits(const files::RecordedSheet& known, const ClothFrame& sheet) {
     if (sheet.name != known.name)
-        throw std::invalid_argument(message("a frame has the sheet '", sheet.name, "' where the first had '",
-                                            known.name, "'; give the same sheets in the same order"));
+        refuse("animation: a frame has the sheet ", inQuotes(sheet.name), " where the first had ",
+               inQuotes(known.name), "; give the same sheets in the same order");
     if (sheet.positions.size() != known.nodes || sheet.triangles != known.triangles)
-        throw std::invalid_argument(message("the sheet '", sheet.name,
-                                            "' has other nodes or triangles than in the first frame; an "
-                                            "animation holds one mesh, begin another or write OBJ files"));
+        refuse("animation: the sheet ", inQuotes(sheet.name),
+               " has other nodes or triangles than in the first frame; an "
+               "animation holds one mesh, begin another or write OBJ files");
 }
 
 files::RecordedSheet begun(const ClothFrame& sheet) {
@@ -96,25 +88,24 @@ struct Animation::Recording {
 
     /// The time of a frame, from the first on.
     double checkedTime(double time) const {
-        if (!std::isfinite(time))
-            throw std::invalid_argument(message("a frame's time is ", time, "; give seconds"));
+        if (!std::isfinite(time)) refuse("animation: a frame's time is ", time, "; give seconds");
         if (run.times.empty()) return 0;
         // The file has times in single precision.
         const double since = double(float(time - begin));
         if (!(since > run.times.back()) || !std::isfinite(since))
-            throw std::invalid_argument(message("a frame is at ", time, " s, and the one before at ",
-                                                begin + run.times.back(), " s; give later ones"));
+            refuse("animation: a frame is at ", time, " s, and the one before at ",
+                   float(begin + run.times.back()), " s; give later ones");
         return since;
     }
 
     void checkSheets(const std::vector<ClothFrame>& sheets) const {
-        if (sheets.empty()) throw std::invalid_argument(message("a frame has no sheets; give at least one"));
+        if (sheets.empty()) refuse("animation: a frame has no sheets; give at least one");
         for (const ClothFrame& sheet : sheets) validate(sheet);
         checkNames(sheets);
         if (run.times.empty()) return;
         if (sheets.size() != run.sheets.size())
-            throw std::invalid_argument(message("a frame has ", sheets.size(), " sheets, and the first had ",
-                                                run.sheets.size(), "; give the same sheets"));
+            refuse("animation: a frame has ", sheets.size(), " sheets, and the first had ", run.sheets.size(),
+                   "; give the same sheets");
         for (std::size_t i = 0; i < sheets.size(); ++i) checkFits(run.sheets[i], sheets[i]);
     }
 
@@ -122,15 +113,14 @@ struct Animation::Recording {
         const std::size_t frames = run.times.size();
         const std::size_t more = frameBytes(sheets) + weightBytes(frames + 1) - weightBytes(frames);
         if (bytes() + more > mostBytes)
-            throw std::length_error(message(frames, " frames are all that fit into ", mostBytes,
-                                            " bytes; record fewer a second, or write OBJ files"));
+            refuse<std::length_error>("animation: ", frames, " frames are all that fit into ", mostBytes,
+                                      " bytes; record fewer a second, or write OBJ files");
     }
 };
 
 Animation::Animation(std::size_t mostBytes) : recording_(std::make_unique<Recording>()) {
     if (mostBytes == 0 || mostBytes > mostBytesEver)
-        throw std::invalid_argument(
-            message("recording may take ", mostBytes, " bytes; give 1 to ", mostBytesEver));
+        refuse("animation: recording may take ", mostBytes, " bytes; give 1 to ", mostBytesEver);
     recording_->mostBytes = mostBytes;
 }
 Animation::~Animation() = default;
@@ -160,7 +150,7 @@ std::size_t Animation::bytes() const {
 
 void Animation::write(const std::filesystem::path& path) const {
     if (recording_->run.times.empty())
-        throw std::logic_error(message("there is no frame to write; add one first"));
+        refuse<std::logic_error>("animation: there is no frame to write; add one first");
     files::writeWhole(path, files::glbOf(recording_->run));
 }
 

@@ -2,19 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
+
+#include "checks/checks.h"
 
 namespace drench {
 
 namespace {
 
 template <typename... Parts>
-[[noreturn]] void refuse(const ClothFrame& frame, const Parts&... parts) {
-    std::ostringstream message;
-    message << "drench: sheet '" << frame.name << "': ";
-    (message << ... << parts);
-    throw std::invalid_argument(message.str());
+[[noreturn]] void refuseFrame(const ClothFrame& frame, const Parts&... parts) {
+    refuse("sheet ", inQuotes(frame.name), ": ", parts...);
 }
 
 bool isFinite(double value) {
@@ -27,12 +24,12 @@ bool isFinite(const Eigen::Vector3f& value) {
 template <typename Value>
 void checkList(const ClothFrame& frame, const char* name, const std::vector<Value>& values) {
     if (values.size() != frame.positions.size())
-        refuse(frame, "there are ", frame.positions.size(), " positions and ", values.size(), ' ', name,
-               "; give one of each for a node");
+        refuseFrame(frame, "there are ", frame.positions.size(), " positions and ", values.size(), ' ', name,
+                    "; give one of each for a node");
     for (std::size_t node = 0; node < values.size(); ++node)
         if (!isFinite(values[node]))
-            refuse(frame, name, " of node ", node,
-                   " are not finite; the run has gone wrong before this frame");
+            refuseFrame(frame, name, " of node ", node,
+                        " are not finite; the run has gone wrong before this frame");
 }
 
 void checkName(const ClothFrame& frame) {
@@ -42,7 +39,7 @@ void checkName(const ClothFrame& frame) {
                c == '-' || c == '_';
     });
     if (frame.name.empty() || frame.name.size() > longest || !isPlain)
-        refuse(frame, "give it a name of 1 to 64 letters, digits, blanks, - or _");
+        refuseFrame(frame, "give it a name of 1 to 64 letters, digits, blanks, - or _");
 }
 
 bool isMesh(const ClothFrame& frame) {
@@ -59,7 +56,7 @@ bool isMesh(const ClothFrame& frame) {
 
 void validate(const ClothFrame& frame) {
     checkName(frame);
-    if (!isMesh(frame)) refuse(frame, "it has no triangles, or one with a node that is not there");
+    if (!isMesh(frame)) refuseFrame(frame, "it has no triangles, or one with a node that is not there");
     checkList(frame, "positions", frame.positions);
     checkList(frame, "normals", frame.normals);
     checkList(frame, "masses", frame.masses);

@@ -1,8 +1,8 @@
 #include "files/fabric_fields.h"
 
 #include <algorithm>
-#include <sstream>
 
+#include "checks/checks.h"
 #include "files/nearest_name.h"
 
 namespace drench::files {
@@ -45,7 +45,7 @@ const Kind& kindOf(const FabricParameter& parameter) {
     const auto found = std::find_if(kinds().begin(), kinds().end(),
                                     [&](const Kind& kind) { return kind.front().name == parameter.unit; });
     if (found == kinds().end())
-        throw std::logic_error("drench: fabric files know no unit '" + std::string(parameter.unit) + "'");
+        refuse<std::logic_error>("fabric files know no unit ", inQuotes(parameter.unit));
     return *found;
 }
 
@@ -66,26 +66,20 @@ const Unit& readUnit(FieldReader& fields, const FabricParameter& parameter) {
     if (found->is_string())
         if (const auto nearest = nearestName(found->get_ref<const std::string&>(), names))
             meant = "; did you mean \"" + *nearest + "\"?";
-    fields.refuse("unit", "is " + shown(*found) + ", in which this is not measured; give one of " +
-                              listOf(names) + meant);
-}
-
-std::string rounded(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
+    fields.refuse("unit", "is ", shown(*found), ", in which this is not measured; give one of ",
+                  listOf(names), meant);
 }
 
 double readValue(FieldReader& fields, const FabricParameter& parameter, const Unit& unit) {
     const nlohmann::json* found = fields.any("value");
-    const auto inUnit = [&](double value) { return rounded(value * unit.divisor / unit.factor); };
-    const std::string allowed = "; give a number, " + inUnit(parameter.minimum) + " to " +
-                                inUnit(parameter.maximum) + ' ' + unit.name;
-    if (!found) fields.refuse("value", "is missing" + allowed);
+    const auto inUnit = [&](double value) { return sixDigits(value * unit.divisor / unit.factor); };
+    const std::string allowed = textOf("; give a number, ", inUnit(parameter.minimum), " to ",
+                                       inUnit(parameter.maximum), ' ', unit.name);
+    if (!found) fields.refuse("value", "is missing", allowed);
     const double value =
         found->is_number() ? found->get<double>() * unit.factor / unit.divisor : parameter.minimum - 1;
     if (!(value >= parameter.minimum && value <= parameter.maximum))
-        fields.refuse("value", "is " + shown(*found) + ' ' + unit.name + allowed);
+        fields.refuse("value", "is ", shown(*found), ' ', unit.name, allowed);
     return value;
 }
 
@@ -151,6 +145,10 @@ nlohmann::ordered_json quantityJson(const FabricParameter& parameter, const Quan
 
 void readConstruction(FieldReader& fields, Construction& construction) {
     fields.choice("construction", construction, constructions());
+}
+
+bool isInformationOnly(const FabricParameter& parameter) {
+    return parameter.member == &Fabric::contactAngle;
 }
 
 std::vector<std::string> unitsOf(const FabricParameter& parameter) {

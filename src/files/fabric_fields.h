@@ -23,6 +23,9 @@ nlohmann::ordered_json quantityJson(const FabricParameter& parameter, const Quan
 /// Reads how the threads hold together, if it is there.
 void readConstruction(FieldReader& fields, Construction& construction);
 
+/// Whether no law reads a parameter, so that a file may leave it out.
+bool isInformationOnly(const FabricParameter& parameter);
+
 /// Names of the units that a parameter may have, its SI unit first.
 std::vector<std::string> unitsOf(const FabricParameter& parameter);
 

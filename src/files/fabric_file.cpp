@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "checks/checks.h"
 #include "files/fabric_fields.h"
 #include "files/json_text.h"
 #include "state/whole_file.h"
@@ -29,11 +30,14 @@ bool readBase(FieldReader& fields, Fabric& fabric) {
 }
 
 void readParameters(FieldReader& fields, Fabric& fabric, bool hasBase) {
-    for (const FabricParameter& parameter : fabricParameters())
-        if (!files::readQuantity(fields, parameter, fabric.*parameter.member) && !hasBase)
-            fields.refuse(std::string(parameter.name),
-                          "is missing; give it, in " + std::string(parameter.unit) +
-                              ", or say with \"like\" which ready fabric has the rest");
+    for (const FabricParameter& parameter : fabricParameters()) {
+        Quantity& quantity = fabric.*parameter.member;
+        if (files::readQuantity(fields, parameter, quantity) || hasBase) continue;
+        if (!files::isInformationOnly(parameter))
+            fields.refuse(std::string(parameter.name), "is missing; give it, in ", parameter.unit,
+                          ", or say with \"like\" which ready fabric has the rest");
+        quantity = {quantity.value, Provenance::assumed, "not given; that of cotton"};
+    }
 }
 
 /// @throws std::invalid_argument that says what is wrong
@@ -53,12 +57,6 @@ Fabric parsed(std::string_view text) {
     return fabric;
 }
 
-/// What is wrong, where it is, and nothing before it.
-std::string reasonOf(const std::invalid_argument& problem) {
-    const std::string what = problem.what(), library = "drench: ";
-    return what.rfind(library, 0) == 0 ? what.substr(library.size()) : what;
-}
-
 nlohmann::ordered_json fabricJson(const Fabric& fabric) {
     nlohmann::ordered_json json = {{"name", fabric.name}, {"construction", toString(fabric.construction)}};
     for (const FabricParameter& parameter : fabricParameters())
@@ -72,7 +70,7 @@ Fabric fabricFromText(std::string_view text) {
     try {
         return parsed(text);
     } catch (const std::invalid_argument& problem) {
-        throw std::invalid_argument("drench: fabric text: " + reasonOf(problem));
+        refuse("fabric text: ", reasonOf(problem));
     }
 }
 
@@ -83,8 +81,7 @@ std::string fabricText(const Fabric& fabric) {
         fabricFromText(text);
         return text;
     } catch (const nlohmann::json::exception&) {
-        throw std::invalid_argument(
-            "drench: the name or a source of a fabric is no UTF-8 text; JSON can hold no other");
+        refuse("the name or a source of a fabric is no UTF-8 text; JSON can hold no other");
     }
 }
 
@@ -92,7 +89,7 @@ Fabric readFabric(const std::filesystem::path& path) {
     try {
         return parsed(files::readWhole(path, limits.bytes));
     } catch (const std::invalid_argument& problem) {
-        throw std::runtime_error("drench: fabric file " + path.string() + ": " + reasonOf(problem));
+        refuse<std::runtime_error>("fabric file ", path.string(), ": ", reasonOf(problem));
     }
 }
 

@@ -3,9 +3,8 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
-#include <string>
 
+#include "checks/checks.h"
 #include "state/whole_file.h"
 
 namespace drench {
@@ -13,8 +12,7 @@ namespace drench {
 namespace {
 
 void check(const std::vector<ClothFrame>& sheets) {
-    if (sheets.empty())
-        throw std::invalid_argument("drench: there are no sheets to write; give at least one");
+    if (sheets.empty()) refuse("there are no sheets to write; give at least one");
     for (const ClothFrame& sheet : sheets) validate(sheet);
 }
 
@@ -57,9 +55,7 @@ void writeObj(const std::filesystem::path& path, const std::vector<ClothFrame>& 
 
 void writeCsv(const std::filesystem::path& path, double time, const std::vector<ClothFrame>& sheets) {
     check(sheets);
-    if (!std::isfinite(time))
-        throw std::invalid_argument("drench: the time of a CSV file is " + std::to_string(time) +
-                                    "; give seconds");
+    if (!std::isfinite(time)) refuse("the time of a CSV file is ", time, "; give seconds");
     std::ostringstream text = plainText();
     text << "time_s,sheet,node,x_m,y_m,z_m,mass_kg,pore_kg,film_kg,film_m,content_kg_per_kg,saturation,red,"
             "green,blue\n";
@@ -76,9 +72,7 @@ void writeCsv(const std::filesystem::path& path, double time, const std::vector<
 }
 
 std::filesystem::path numbered(const std::filesystem::path& path, int number) {
-    if (number < 0)
-        throw std::invalid_argument("drench: a file of a sequence has the number " + std::to_string(number) +
-                                    "; give 0 or more");
+    if (number < 0) refuse("a file of a sequence has the number ", number, "; give 0 or more");
     std::ostringstream name = plainText();
     name << path.stem().string() << '.' << std::setw(4) << std::setfill('0') << number
          << path.extension().string();

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "checks/checks.h"
 #include "files/recording.h"
 
 namespace drench::files {
@@ -181,7 +182,7 @@ std::string glbOf(const RecordedRun& run) {
     std::ostringstream stream;
     constexpr bool pretty = false, binary = true;
     if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, pretty, binary))
-        throw std::runtime_error("drench: tinygltf cannot write the animation");
+        refuse<std::runtime_error>("tinygltf cannot write the animation");
     return stream.str();
 }
 

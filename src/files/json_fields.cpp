@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "checks/text.h"
 #include "files/nearest_name.h"
 
 namespace drench::files {
@@ -10,7 +11,7 @@ namespace drench::files {
 namespace {
 
 std::string between(const Range& range) {
-    return shown(range.least) + " to " + shown(range.most);
+    return textOf(range.least, " to ", range.most);
 }
 
 bool isWithin(const nlohmann::json& value, const Range& range) {
@@ -29,7 +30,7 @@ bool mayBeInName(char c) {
 std::string shown(const nlohmann::json& value) {
     constexpr std::size_t longest = 60;
     if (value.is_object()) return "an object";
-    if (value.is_array()) return "a list of " + std::to_string(value.size());
+    if (value.is_array()) return textOf("a list of ", value.size());
     std::string text = value.dump(-1, ' ', true);
     if (text.size() > longest) text = text.substr(0, longest) + "...";
     return text;
@@ -46,10 +47,6 @@ std::string FieldReader::pathOf(const std::string& key) const {
     return path_.empty() ? key : path_ + '.' + key;
 }
 
-void FieldReader::refuse(const std::string& key, const std::string& why) const {
-    throw std::invalid_argument(pathOf(key) + ' ' + why);
-}
-
 const nlohmann::json* FieldReader::any(const std::string& key) {
     known_.insert(key);
     const auto found = object_.find(key);
@@ -60,18 +57,17 @@ double FieldReader::numberAt(const nlohmann::json& list, std::size_t place, cons
                              const Range& range) const {
     const nlohmann::json& value = list[place];
     if (isWithin(value, range)) return value.get<double>();
-    refuse(key + '[' + std::to_string(place) + ']',
-           "is " + shown(value) + "; give a number, " + between(range));
+    refuse(textOf(key, '[', place, ']'), "is ", shown(value), "; give a number, ", between(range));
 }
 
 void FieldReader::checkList(const std::string& key, const nlohmann::json& value, const char* of) const {
-    if (!value.is_array()) refuse(key, "is " + shown(value) + "; give a list of " + of);
+    if (!value.is_array()) refuse(key, "is ", shown(value), "; give a list of ", of);
 }
 
 void FieldReader::number(const std::string& key, double& value, const Range& range) {
     const nlohmann::json* found = any(key);
     if (!found) return;
-    if (!isWithin(*found, range)) refuse(key, "is " + shown(*found) + "; give a number, " + between(range));
+    if (!isWithin(*found, range)) refuse(key, "is ", shown(*found), "; give a number, ", between(range));
     value = found->get<double>();
 }
 
@@ -80,15 +76,14 @@ void FieldReader::whole(const std::string& key, int& value, int least, int most)
     if (!found) return;
     const double number = found->is_number() ? found->get<double>() : least - 1.0;
     if (!(number >= least && number <= most) || number != std::floor(number))
-        refuse(key, "is " + shown(*found) + "; give a whole number, " + std::to_string(least) + " to " +
-                        std::to_string(most));
+        refuse(key, "is ", shown(*found), "; give a whole number, ", least, " to ", most);
     value = static_cast<int>(number);
 }
 
 void FieldReader::truth(const std::string& key, bool& value) {
     const nlohmann::json* found = any(key);
     if (!found) return;
-    if (!found->is_boolean()) refuse(key, "is " + shown(*found) + "; give true or false");
+    if (!found->is_boolean()) refuse(key, "is ", shown(*found), "; give true or false");
     value = found->get<bool>();
 }
 
@@ -96,9 +91,9 @@ void FieldReader::text(const std::string& key, std::string& value) {
     constexpr std::size_t longest = 1000;
     const nlohmann::json* found = any(key);
     if (!found) return;
-    if (!found->is_string()) refuse(key, "is " + shown(*found) + "; give a text in quotes");
+    if (!found->is_string()) refuse(key, "is ", shown(*found), "; give a text in quotes");
     if (found->get_ref<const std::string&>().size() > longest)
-        refuse(key, "is too long; give at most " + std::to_string(longest) + " bytes");
+        refuse(key, "is too long; give at most ", longest, " bytes");
     value = found->get<std::string>();
 }
 
@@ -108,8 +103,7 @@ void FieldReader::name(const std::string& key, std::string& value) {
     if (!found) return;
     const std::string wanted = found->is_string() ? found->get<std::string>() : "";
     if (wanted.empty() || wanted.size() > longest || !std::all_of(wanted.begin(), wanted.end(), mayBeInName))
-        refuse(key, "is " + shown(*found) + "; give 1 to " + std::to_string(longest) +
-                        " letters, digits, blanks, - or _");
+        refuse(key, "is ", shown(*found), "; give 1 to ", longest, " letters, digits, blanks, - or _");
     value = wanted;
 }
 
@@ -124,8 +118,7 @@ void FieldReader::numbers(const std::string& key, std::vector<double>& values, c
 void FieldReader::places(const std::string& key, std::vector<Eigen::Vector3d>& values, const Range& range) {
     std::vector<double> flat;
     numbers(key, flat, range);
-    if (flat.size() % 3 != 0)
-        refuse(key, "is a list of " + std::to_string(flat.size()) + "; give three numbers for each node");
+    if (flat.size() % 3 != 0) refuse(key, "is a list of ", flat.size(), "; give three numbers for each node");
     for (std::size_t i = 0; i < flat.size(); i += 3) values.emplace_back(flat[i], flat[i + 1], flat[i + 2]);
 }
 
@@ -139,8 +132,8 @@ void FieldReader::refuseUnknown(const std::string& key) const {
     std::string known;
     for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
     const auto nearest = nearestName(key, names);
-    refuse(shownKey(key), "is no key of this object; " +
-                              (nearest ? "did you mean " + *nearest + "? There are " : "there are ") + known);
+    refuse(shownKey(key), "is no key of this object; ",
+           nearest ? "did you mean " + *nearest + "? There are " : "there are ", known);
 }
 
 void FieldWriter::places(const std::string& key, const std::vector<Eigen::Vector3d>& values, const Range&) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "checks/text.h"
 #include "files/json_text.h"
 
 namespace drench::files {
@@ -55,7 +56,10 @@ class FieldReader {
     /// The value of a key in whatever form; null if it is not there.
     const nlohmann::json* any(const std::string& key);
     std::string pathOf(const std::string& key) const;
-    [[noreturn]] void refuse(const std::string& key, const std::string& why) const;
+    template <typename... Parts>
+    [[noreturn]] void refuse(const std::string& key, const Parts&... why) const {
+        throw std::invalid_argument(textOf(pathOf(key), ' ', why...));
+    }
     /// Refuses keys that nobody has asked for.
     void finish() const;
 
@@ -126,10 +130,10 @@ void FieldReader::vector(const std::string& key, Eigen::Matrix<double, Size, 1>&
     const nlohmann::json* found = any(key);
     if (!found) return;
     if (!found->is_array() || found->size() != std::size_t(Size))
-        refuse(key, "is " + shown(*found) + "; give a list of " + std::to_string(Size) + " numbers");
+        refuse(key, "is ", shown(*found), "; give a list of ", Size, " numbers");
     for (int i = 0; i < Size; ++i) value[i] = numberAt(*found, std::size_t(i), key, range);
     if (!(value.norm() >= leastLength))
-        refuse(key, "is too short; give a vector at least " + shown(leastLength) + " long");
+        refuse(key, "is too short; give a vector at least ", leastLength, " long");
 }
 
 template <typename Value>
@@ -144,7 +148,7 @@ void FieldReader::choice(const std::string& key, Value& value, const Names<Value
         }
         known += (known.empty() ? "\"" : ", \"") + name + '"';
     }
-    refuse(key, "is " + shown(*found) + "; give one of " + known);
+    refuse(key, "is ", shown(*found), "; give one of ", known);
 }
 
 template <typename Function>
@@ -163,10 +167,9 @@ void FieldReader::list(const std::string& key, std::vector<Entry>& entries, Func
     if (!found) return;
     constexpr std::size_t most = 1000;
     checkList(key, *found, "objects");
-    if (found->size() > most)
-        refuse(key, "is " + shown(*found) + "; give at most " + std::to_string(most) + " objects");
+    if (found->size() > most) refuse(key, "is ", shown(*found), "; give at most ", most, " objects");
     for (std::size_t i = 0; i < found->size(); ++i) {
-        FieldReader inner((*found)[i], pathOf(key) + '[' + std::to_string(i) + ']');
+        FieldReader inner((*found)[i], textOf(pathOf(key), '[', i, ']'));
         function(inner, entries.emplace_back());
         inner.finish();
     }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "checks/text.h"
+
 namespace drench::files {
 
 namespace {
@@ -26,8 +28,8 @@ class Watch {
             case Event::array_start:
                 count();
                 if (int(levels_.size()) >= limits_.depth)
-                    throw std::invalid_argument(path() + ": lists and objects are more than " +
-                                                std::to_string(limits_.depth) + " deep in each other");
+                    throw std::invalid_argument(textOf(path(), ": lists and objects are more than ",
+                                                       limits_.depth, " deep in each other"));
                 levels_.push_back({event == Event::array_start, 0, {}, {}});
                 break;
             case Event::object_end:
@@ -56,15 +58,14 @@ class Watch {
 
     void count() {
         if (++values_ > limits_.values)
-            throw std::invalid_argument("there are more than " + std::to_string(limits_.values) +
-                                        " values in it");
+            throw std::invalid_argument(textOf("there are more than ", limits_.values, " values in it"));
         if (!levels_.empty() && levels_.back().isList) ++levels_.back().index;
     }
 
     std::string path() const {
         std::string text;
         for (const Level& level : levels_)
-            text += level.isList ? '[' + std::to_string(level.index - 1) + ']'
+            text += level.isList ? textOf('[', level.index - 1, ']')
                                  : (text.empty() ? "" : ".") + shownKey(level.key);
         return text.empty() ? "the file" : text;
     }
@@ -97,8 +98,7 @@ std::string reason(const std::string& message) {
     const std::size_t line = 1 + std::size_t(std::count(before.begin(), before.end(), '\n'));
     const std::size_t lineStart = before.rfind('\n');
     const std::size_t column = at - (lineStart == std::string_view::npos ? 0 : lineStart + 1) + 1;
-    throw std::invalid_argument("line " + std::to_string(line) + ", column " + std::to_string(column) + ": " +
-                                reason(problem.what()));
+    throw std::invalid_argument(textOf("line ", line, ", column ", column, ": ", reason(problem.what())));
 }
 
 void write(const nlohmann::ordered_json& value, std::string& text, std::size_t indent) {
@@ -126,7 +126,7 @@ void write(const nlohmann::ordered_json& value, std::string& text, std::size_t i
 
 json parseJson(std::string_view text, const JsonLimits& limits) {
     if (text.size() > limits.bytes)
-        throw std::invalid_argument("it has more than " + std::to_string(limits.bytes >> 20) + " MB");
+        throw std::invalid_argument(textOf("it has more than ", limits.bytes >> 20, " MB"));
     Watch watch(limits);
     try {
         return json::parse(text, [&watch](int, json::parse_event_t event, json& value) {

@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
-#include <string>
 
+#include "checks/checks.h"
 #include "files/obj_check.h"
 #include "state/whole_file.h"
 
@@ -110,9 +109,7 @@ class Gatherer {
 
 void checkScale(const MeshReading& reading) {
     if (reading.scale >= 1e-6 && reading.scale <= 1e6) return;
-    std::ostringstream message;
-    message << "drench: MeshReading::scale is " << reading.scale << "; give metres per unit, 1e-6 to 1e6";
-    throw std::invalid_argument(message.str());
+    refuse("MeshReading::scale is ", reading.scale, "; give metres per unit, 1e-6 to 1e6");
 }
 
 /// @throws std::invalid_argument that says what is wrong
@@ -137,7 +134,7 @@ MeshFile meshFromText(std::string_view text, const MeshReading& reading) {
     try {
         return parsed(text, reading);
     } catch (const std::invalid_argument& problem) {
-        throw std::invalid_argument("drench: OBJ text: " + std::string(problem.what()));
+        refuse("OBJ text: ", reasonOf(problem));
     }
 }
 
@@ -146,7 +143,7 @@ MeshFile readMesh(const std::filesystem::path& path, const MeshReading& reading)
     try {
         return parsed(files::readWhole(path, mostBytes), reading);
     } catch (const std::invalid_argument& problem) {
-        throw std::runtime_error("drench: OBJ file " + path.string() + ": " + problem.what());
+        refuse<std::runtime_error>("OBJ file ", path.string(), ": ", reasonOf(problem));
     }
 }
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "checks/text.h"
 
 namespace drench::files {
 
@@ -33,7 +34,7 @@ class Words {
     std::string_view rest_;
 };
 
-std::string quoted(std::string_view word) {
+std::string quotedWord(std::string_view word) {
     constexpr std::size_t longest = 30;
     std::string text;
     for (const char c : word.substr(0, longest)) text += c > ' ' && c < 127 ? c : '?';
@@ -74,8 +75,9 @@ class Check {
     }
 
   private:
-    [[noreturn]] void refuse(const std::string& what) const {
-        throw std::invalid_argument("line " + std::to_string(line_) + ": " + what);
+    template <typename... Parts>
+    [[noreturn]] void refuse(const Parts&... what) const {
+        throw std::invalid_argument(textOf("line ", line_, ": ", what...));
     }
 
     void numbers(Words& words, const char* what, int wanted, double scale) const {
@@ -83,14 +85,11 @@ class Check {
         for (int i = 0; i < wanted; ++i) {
             const std::string_view word = words.next();
             double number = 0;
-            if (word.empty())
-                refuse(std::string(what) + " has " + std::to_string(i) + " numbers; give " +
-                       std::to_string(wanted));
+            if (word.empty()) refuse(what, " has ", i, " numbers; give ", wanted);
             if (!isRead(word, number) || !(std::abs(number * scale) <= furthest)) {
-                std::ostringstream most;
-                most << furthest / scale;
-                refuse(std::string(what) + " has the number " + quoted(word) +
-                       "; give finite numbers from -" + most.str() + " to " + most.str());
+                const SixDigits most = sixDigits(furthest / scale);
+                refuse(what, " has the number ", quotedWord(word), "; give finite numbers from -", most,
+                       " to ", most);
             }
         }
     }
@@ -103,7 +102,7 @@ class Check {
                 refuse("a face has more than 1000 corners; cut it into smaller ones");
             corner(word);
         }
-        if (corners < 3) refuse("a face has " + std::to_string(corners) + " corners; give at least 3");
+        if (corners < 3) refuse("a face has ", corners, " corners; give at least 3");
         ++faces_;
     }
 
@@ -115,14 +114,14 @@ class Check {
         texture = texture.substr(0, texture.find('/'));
         if (!texture.empty()) index(word, texture, textures_, "texture coordinates");
         if (texture.empty() && reading_.texture)
-            refuse("the corner " + quoted(word) +
+            refuse("the corner ", quotedWord(word),
                    " has no texture coordinate; read the file without them, or give each corner one");
     }
 
     void index(std::string_view corner, std::string_view word, long count, const char* of) const {
         long number = 0;
         if (isRead(word, number) && number != 0 && number <= count && number >= -count) return;
-        refuse("a face has the corner " + quoted(corner) + "; there are " + std::to_string(count) + ' ' + of +
+        refuse("a face has the corner ", quotedWord(corner), "; there are ", count, ' ', of,
                " before it, counted from 1, or from -1 backwards");
     }
 

@@ -1,12 +1,12 @@
 #include "drench/brush.h"
-#include "state/checks.h"
+#include "checks/checks.h"
 
 namespace drench {
 
 namespace {
 
 void checkSettings(const Brush& brush) {
-    checkPlace("Brush::centre", brush.centre);
+    checkPosition("Brush::centre", brush.centre);
     checkRange("Brush::radius", brush.radius, "m", 1e-4, 100);
     checkRange("Brush::rate", brush.rate, "kg/(s m2)", 0, 1000);
 }

@@ -8,23 +8,24 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
+#include "checks/checks.h"
 #include "drench/soak.h"
 
 namespace drench {
 
 namespace {
 
-std::runtime_error unreadable(const std::filesystem::path& path, const std::string& why) {
-    return std::runtime_error("drench: cannot read the picture " + path.string() + ": " + why);
+template <typename... Parts>
+std::runtime_error unreadable(const std::filesystem::path& path, const Parts&... why) {
+    return std::runtime_error(textOf("drench: cannot read the picture ", path.string(), ": ", why...));
 }
 
 std::runtime_error noPicture(const std::filesystem::path& path) {
     const char* reason = stbi_failure_reason();
-    return unreadable(path, std::string("it is no picture that can be read here (") +
-                                (reason ? reason : "unknown") + "); give a PNG");
+    return unreadable(path, "it is no picture that can be read here (", reason ? reason : "unknown",
+                      "); give a PNG");
 }
 
 std::vector<char> readBytes(const std::filesystem::path& path) {
@@ -96,9 +97,8 @@ void checkSize(const std::filesystem::path& path, const std::vector<char>& bytes
                               &width, &height, &channels) != 0;
     if (!isKnown) throw noPicture(path);
     if (width < 1 || height < 1 || std::int64_t(width) * height > most)
-        throw unreadable(path, "it is " + std::to_string(width) + " x " + std::to_string(height) +
-                                   " pixels; give at least one and at most " + std::to_string(most) +
-                                   " in all");
+        throw unreadable(path, "it is ", width, " x ", height, " pixels; give at least one and at most ",
+                         most, " in all");
 }
 
 }  // namespace
@@ -106,12 +106,10 @@ void checkSize(const std::filesystem::path& path, const std::vector<char>& bytes
 double Mask::at(double right, double up) const {
     const std::size_t columns = static_cast<std::size_t>(std::max(width, 0));
     if (width < 1 || height < 1 || values.size() != columns * static_cast<std::size_t>(height))
-        throw std::invalid_argument(
-            "drench: a mask needs at least one pixel and a value for each; this one is " +
-            std::to_string(width) + " x " + std::to_string(height) + " with " +
-            std::to_string(values.size()) + " values");
+        refuse("a mask needs at least one pixel and a value for each; this one is ", width, " x ", height,
+               " with ", values.size(), " values");
     if (std::isnan(right) || std::isnan(up))
-        throw std::invalid_argument("drench: the place in a mask is no number; give numbers from 0 to 1");
+        refuse("the position in a mask is (", right, ", ", up, "); give numbers from 0 to 1");
     const Between column = between(right, width);
     const Between row = between(1 - up, height);
     const auto along = [&](std::size_t line) {

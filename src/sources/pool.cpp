@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
+#include "checks/checks.h"
 #include "drench/pool.h"
 #include "drench/water.h"
-#include "state/checks.h"
 
 namespace drench {
 
@@ -17,8 +16,8 @@ void checkSettings(const Pool& pool) {
         checkRange("Pool::from", pool.from[axis], "m", -1e9, 1e9);
         checkRange("Pool::to", pool.to[axis], "m", -1e9, 1e9);
         if (pool.from[axis] > pool.to[axis])
-            throw std::invalid_argument(
-                "drench: Pool::from lies beyond Pool::to; exchange them so that from is the smaller");
+            refuse("Pool::from is ", pool.from[axis], " m, beyond Pool::to, ", pool.to[axis],
+                   " m; exchange them so that from is the smaller");
     }
 }
 

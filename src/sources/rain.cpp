@@ -5,8 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "checks/checks.h"
 #include "drench/rain.h"
-#include "state/checks.h"
 
 namespace drench {
 
@@ -32,10 +32,8 @@ double steepness(const Rain& rain, const Eigen::Vector3d& fall, const Eigen::Vec
     if (up.isZero()) return 1;
     const double down = -fall.dot(up);
     if (down >= leastSteepness) return down;
-    std::ostringstream message;
-    message << "drench: Rain::velocity (" << rain.velocity.transpose() << ") m/s does not fall where up is ("
-            << up.transpose() << "); give it at least " << leastSteepness << " of its speed downwards";
-    throw std::invalid_argument(message.str());
+    refuse("Rain::velocity ", rain.velocity, " m/s does not fall where up is ", sixDigits(up),
+           "; give it at least ", leastSteepness, " of its speed downwards");
 }
 
 // A Poisson number. Past a million it scatters by less than a thousandth, which is not worth a draw.
@@ -97,7 +95,7 @@ void Rain::load(StateReader& reader) {
     text.imbue(std::locale::classic());
     for (const std::uint32_t number : reader.readMany<std::uint32_t>()) text << number << ' ';
     std::mt19937 random;
-    if (!(text >> random)) throw std::runtime_error("drench: a Rain's random numbers have no such state");
+    if (!(text >> random)) refuse<std::runtime_error>("a Rain's random numbers have no such state");
     random_ = random;
 }
 

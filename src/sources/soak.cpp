@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
+#include "checks/checks.h"
 #include "drench/soak.h"
-#include "state/checks.h"
 
 namespace drench {
 
@@ -18,8 +17,8 @@ void checkMask(const Mask& mask) {
 void refuseMissingNodes(const std::vector<std::size_t>& nodes, std::size_t size) {
     for (const std::size_t node : nodes)
         if (node >= size)
-            throw std::out_of_range("drench: a Soak was given node " + std::to_string(node) +
-                                    " of a sheet of " + std::to_string(size) + "; nodes count from 0");
+            refuse<std::out_of_range>("a Soak was given node ", node, " of a sheet of ", size,
+                                      "; nodes count from 0");
 }
 
 // Mean value of the mask at the triangle corners of each node: at a seam a node has several places.
@@ -50,7 +49,7 @@ Soak::Soak(std::vector<std::size_t> nodes, double mass, double duration)
     : nodes_(std::move(nodes)), amount_(mass), duration_(duration) {
     checkRange("the mass of a Soak", mass, "kg", 0, 1e6);
     checkRange("the duration of a Soak", duration, "s", 0, 1e9);
-    if (nodes_.empty()) throw std::invalid_argument("drench: a Soak has no nodes; give at least one");
+    if (nodes_.empty()) refuse("a Soak has no nodes; give at least one");
     // A node that is named twice is still one node.
     std::sort(nodes_.begin(), nodes_.end());
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
@@ -88,8 +87,7 @@ void Soak::save(StateWriter& writer) const {
 void Soak::load(StateReader& reader) {
     const auto given = reader.read<double>();
     if (!(given >= 0 && given <= 1))
-        throw std::runtime_error("drench: a Soak cannot have given " + std::to_string(given) +
-                                 " of its water");
+        refuse<std::runtime_error>("a Soak cannot have given ", given, " of its water");
     given_ = given;
 }
 
@@ -105,9 +103,7 @@ void Soak::weighNodes(const ClothMesh& mesh) {
     refuseMissingNodes(nodes_, mesh.size());
     double total = 0;
     for (const std::size_t node : nodes_) total += mesh.areas[node];
-    if (!(total > 0))
-        throw std::invalid_argument(
-            "drench: none of the nodes of a Soak has cloth; choose nodes whose area is above 0");
+    if (!(total > 0)) refuse("none of the nodes of a Soak has cloth; choose nodes whose area is above 0");
     masses_.reserve(nodes_.size());
     for (const std::size_t node : nodes_) masses_.push_back(amount_ * (mesh.areas[node] / total));
 }

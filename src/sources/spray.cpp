@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
+#include "checks/checks.h"
 #include "cloth/constants.h"
 #include "drench/spray.h"
-#include "state/checks.h"
 
 namespace drench {
 
@@ -17,10 +16,10 @@ constexpr double nearest = 1e-3;
 constexpr double rayEnd = 0.01;
 
 void checkSettings(const Spray& spray) {
-    checkPlace("Spray::origin", spray.origin);
-    checkPlace("Spray::direction", spray.direction);
+    checkPosition("Spray::origin", spray.origin);
+    checkPosition("Spray::direction", spray.direction);
     if (!(spray.direction.norm() > 0))
-        throw std::invalid_argument("drench: Spray::direction is zero; give the way that the nozzle points");
+        refuse("Spray::direction is (0, 0, 0); give the direction in which the nozzle points");
     checkRange("Spray::halfAngle", spray.halfAngle, "rad", 0.01, 1.5);
     checkRange("Spray::rate", spray.rate, "kg/s", 0, 1000);
     checkRange("Spray::speed", spray.speed, "m/s", 0, 100);

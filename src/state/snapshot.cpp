@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "checks/checks.h"
 #include "drench/state.h"
 #include "state/checksum.h"
 #include "state/snapshot_bytes.h"
@@ -24,36 +25,37 @@ constexpr std::size_t checksumSize = sizeof(std::uint64_t);
 // The size stands where it can be compared with what there is before anything else is believed.
 constexpr std::size_t sizeAt = 16, smallest = sizeAt + 8 + checksumSize;
 
-[[noreturn]] void refuse(const std::string& why) {
-    throw std::runtime_error("drench: this is no snapshot to restore: " + why);
+template <typename... Parts>
+[[noreturn]] void refuseBytes(const Parts&... why) {
+    refuse<std::runtime_error>("this is not a valid snapshot: ", why...);
 }
 
 void checkKind(std::string_view bytes) {
-    if (bytes.empty()) refuse("it is empty");
+    if (bytes.empty()) refuseBytes("it is empty");
     if (bytes.substr(0, magic.size()) != magic.substr(0, bytes.size()))
-        refuse(
+        refuseBytes(
             "it does not begin as one; it is some other file, or went through a program that changes text");
-    if (bytes.size() < smallest) refuse("it ends within its first bytes; it was cut off");
+    if (bytes.size() < smallest) refuseBytes("it ends within its first bytes; it was cut off");
 }
 
 void checkFormat(std::uint32_t format) {
     if (format > Snapshot::newestFormat)
-        refuse("its format is " + std::to_string(format) + ", and this library knows formats up to " +
-               std::to_string(Snapshot::newestFormat) + "; use a newer version of Drench");
-    if (format == 0) refuse("its format is 0, which never was");
+        refuseBytes("its format is ", format, ", and this library knows formats up to ",
+                    Snapshot::newestFormat, "; use a newer version of Drench");
+    if (format == 0) refuseBytes("its format is 0, and formats count from 1; it was damaged");
 }
 
 void checkSize(std::uint64_t claimed, std::size_t there) {
     if (claimed == there) return;
-    refuse("it should have " + std::to_string(claimed) + " bytes and has " + std::to_string(there) +
-           (claimed > there ? "; it was cut off" : "; something was added to it"));
+    refuseBytes("it should have ", claimed, " bytes and has ", there,
+                claimed > there ? "; it was cut off" : "; something was added to it");
 }
 
 void checkSum(std::string_view bytes) {
     const std::string_view summed = bytes.substr(0, bytes.size() - checksumSize);
     StateReader sum(bytes.substr(summed.size()));
     if (sum.read<std::uint64_t>() != checksumOf(summed))
-        refuse("its checksum does not fit; its bytes have changed since it was made");
+        refuseBytes("its checksum does not fit; its bytes have changed since it was made");
 }
 
 std::string contentsOf(const fs::path& path) {
@@ -81,7 +83,7 @@ Snapshot::Snapshot(std::string bytes) : bytes_(std::move(bytes)) {
     checkSize(reader.read<std::uint64_t>(), bytes_.size());
     checkSum(bytes_);
     if (precision != 4 && precision != 8)
-        refuse("its numbers have " + std::to_string(precision) + " bytes; there are those of 4 and of 8");
+        refuseBytes("its numbers have ", precision, " bytes; there are those of 4 and of 8");
     precision_ = static_cast<int>(precision);
     libraryVersion_ = reader.readText();
     nodes_ = reader.read<std::uint64_t>();
@@ -122,7 +124,7 @@ Snapshot readSnapshot(const fs::path& path) {
     try {
         return Snapshot(contentsOf(path));
     } catch (const std::exception& problem) {
-        throw std::runtime_error("drench: cannot read " + path.string() + ": " + problem.what());
+        refuse<std::runtime_error>("cannot read ", path.string(), ": ", reasonOf(problem));
     }
 }
 

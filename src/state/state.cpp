@@ -3,6 +3,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "checks/checks.h"
+
 namespace drench {
 
 void StateWriter::write(std::string_view text) {
@@ -23,8 +25,7 @@ std::string StateReader::readText() {
 
 std::string_view StateReader::readBytes(std::uint64_t count) {
     if (count > rest_.size())
-        throw std::runtime_error("drench: a state ends " + std::to_string(count - rest_.size()) +
-                                 " bytes too early");
+        refuse<std::runtime_error>("a state ends ", count - rest_.size(), " bytes too early");
     const std::string_view bytes = rest_.substr(0, static_cast<std::size_t>(count));
     rest_.remove_prefix(static_cast<std::size_t>(count));
     return bytes;
@@ -33,8 +34,8 @@ std::string_view StateReader::readBytes(std::uint64_t count) {
 std::uint64_t StateReader::readCount(std::uint64_t bytesOfEach) {
     const auto count = read<std::uint64_t>();
     if (count > rest_.size() / bytesOfEach)
-        throw std::runtime_error("drench: a state claims " + std::to_string(count) + " values where " +
-                                 std::to_string(rest_.size()) + " bytes are left");
+        refuse<std::runtime_error>("a state claims ", count, " values where ", rest_.size(),
+                                   " bytes are left");
     return count;
 }
 
@@ -47,8 +48,7 @@ std::uint64_t StateReader::take(std::size_t size) {
 }
 
 void StateReader::checkFlag(std::uint64_t bits) {
-    if (bits > 1)
-        throw std::runtime_error("drench: a state has " + std::to_string(bits) + " where yes or no belongs");
+    if (bits > 1) refuse<std::runtime_error>("a state has ", bits, " where yes or no belongs");
 }
 
 }  // namespace drench

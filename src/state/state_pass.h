@@ -4,12 +4,12 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "checks/checks.h"
 #include "drench/state.h"
 
 namespace drench {
@@ -41,7 +41,7 @@ class StatePass {
             return now;
         }
         const Number read = reader_->read<Number>();
-        if (!(double(read) >= least && double(read) <= most)) refuse(double(read), least, most);
+        if (!(double(read) >= least && double(read) <= most)) refuseSaved(read, least, most);
         return read;
     }
     std::string value(const std::string& now) {
@@ -81,7 +81,7 @@ class StatePass {
             return now;
         }
         const std::uint64_t read = reader_->readCount(1);
-        if (read > most) refuse(double(read), 0, double(most));
+        if (read > most) refuseSaved(read, std::size_t{0}, most);
         return static_cast<std::size_t>(read);
     }
     /// As many as there were. @param each  names the members of an item
@@ -103,11 +103,10 @@ class StatePass {
     static constexpr double unlimited = std::numeric_limits<double>::max();
 
   private:
-    [[noreturn]] static void refuse(double value, double least, double most) {
-        std::ostringstream message;
-        message << "drench: a saved value is " << value << " where only " << least << " to " << most
-                << " makes sense";
-        throw std::runtime_error(message.str());
+    template <typename Number, typename Limit>
+    [[noreturn]] static void refuseSaved(Number value, Limit least, Limit most) {
+        refuse<std::runtime_error>("a saved value is ", value, " where ", least, " to ", most,
+                                   " is possible");
     }
 
     Kind kind_;

@@ -6,6 +6,8 @@
 #include <string>
 #include <system_error>
 
+#include "checks/text.h"
+
 namespace drench::files {
 
 namespace {
@@ -23,11 +25,11 @@ fs::path place(const fs::path& path) {
 // The name under which a file is written until it is whole.
 fs::path unfinished(const fs::path& path) {
     std::random_device lot;
-    return path.parent_path() / ("drench-" + std::to_string(lot()) + "-" + std::to_string(lot()) + ".part");
+    return path.parent_path() / textOf("drench-", lot(), "-", lot(), ".part");
 }
 
-void refuse(const fs::path& path, const std::string& why) {
-    throw std::runtime_error("cannot write " + path.string() + ": " + why);
+[[noreturn]] void refuseToWrite(const fs::path& path, const char* why) {
+    throw std::runtime_error(textOf("cannot write ", path.string(), ": ", why));
 }
 
 }  // namespace
@@ -36,17 +38,17 @@ void checkWritable(const fs::path& name) {
     const fs::path path = place(name);
     std::error_code problem;
     if (fs::exists(path, problem) && !fs::is_regular_file(path, problem)) {
-        refuse(path, "it is there and is no file");
+        refuseToWrite(path, "it is there, and is not a file; choose another name");
     }
     if (path.has_parent_path()) {
         fs::create_directories(path.parent_path(), problem);
     }
     if (problem) {
-        refuse(path, "its folder cannot be created; choose another");
+        refuseToWrite(path, "its folder cannot be created; choose another");
     }
     const fs::path trial = unfinished(path);
     if (!std::ofstream(trial)) {
-        refuse(path, "its folder lets nobody write, or not you; choose another");
+        refuseToWrite(path, "its folder lets nobody write, or not you; choose another");
     }
     fs::remove(trial, problem);
 }
@@ -66,7 +68,7 @@ void writeWhole(const fs::path& name, std::string_view contents) {
         return;
     }
     fs::remove(trial, problem);
-    refuse(path, "is the disk full, or the name too long?");
+    refuseToWrite(path, "is the disk full, or the name too long?");
 }
 
 std::string readWhole(const fs::path& path, std::size_t mostBytes) {
@@ -83,7 +85,7 @@ std::string readWhole(const fs::path& path, std::size_t mostBytes) {
     }
     const std::uintmax_t size = fs::file_size(path, problem);
     if (problem || size > mostBytes) {
-        throw std::invalid_argument("it has more than " + std::to_string(mostBytes >> 20) + " MB");
+        throw std::invalid_argument(textOf("it has more than ", mostBytes >> 20, " MB"));
     }
     std::string contents(static_cast<std::size_t>(size), '\0');
     file.read(contents.data(), static_cast<std::streamsize>(contents.size()));

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
-#include <string>
 
+#include "checks/checks.h"
 #include "drench/water.h"
-#include "state/checks.h"
 
 namespace drench {
 
@@ -118,10 +115,7 @@ void validate(const Air& air) {
     checkRange("shelterLength of the air", air.shelterLength, "m", 0, 1000);
     constexpr double fastest = 1e4;  // m/s
     if (air.wind.norm() <= fastest) return;
-    std::ostringstream message;
-    message << "drench: air wind is (" << air.wind.x() << ", " << air.wind.y() << ", " << air.wind.z()
-            << ") m/s; give finite numbers, at most " << fastest << " m/s together";
-    throw std::invalid_argument(message.str());
+    refuse("air wind is ", air.wind, " m/s; give finite numbers, at most ", fastest, " m/s together");
 }
 
 Evaporation evaporation(const Air& air, double speed, double length) {

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "checks/checks.h"
 #include "drench/water.h"
 #include "state/state_pass.h"
 #include "water/film_flow.h"
@@ -18,24 +19,23 @@ namespace {
 constexpr std::size_t airAccount = 1;
 
 void checkStep(double dt, const Surroundings& surroundings, std::size_t nodes) {
-    const auto refuse = [](const std::string& what) { throw std::invalid_argument("drench: " + what); };
     constexpr double longest = 1e9;  // s; beyond it products of rates and times come to nothing finite
-    if (!(dt >= 0 && dt <= longest)) refuse("a water step of " + std::to_string(dt) + " s; give 0 to 1e9 s");
+    if (!(dt >= 0 && dt <= longest)) refuse("a water step of ", dt, " s; give 0 to 1e9 s");
     if (!surroundings.heights.empty() && surroundings.heights.size() != nodes)
-        refuse("there are heights for " + std::to_string(surroundings.heights.size()) + " nodes of " +
-               std::to_string(nodes) + "; give one a node, or none");
+        refuse("there are heights for ", surroundings.heights.size(), " nodes of ", nodes,
+               "; give one a node, or none");
     float off = 0;  // 0 as long as all are finite
 #pragma omp simd reduction(+ : off)
     for (std::size_t n = 0; n < surroundings.heights.size(); ++n)
         off += surroundings.heights[n] - surroundings.heights[n];
     if (off != 0 || std::isnan(off)) refuse("the height of a node is not finite; give metres");
     if (!(surroundings.gravity >= 0 && surroundings.gravity <= 1e4))
-        refuse("a gravity of " + std::to_string(surroundings.gravity) + " m/s2; give 0 to 10000");
+        refuse("a gravity of ", surroundings.gravity, " m/s2; give 0 to 10000");
     if (!(surroundings.dryingRate >= 0 && surroundings.dryingRate <= 1))
-        refuse("a drying rate of " + std::to_string(surroundings.dryingRate) +
+        refuse("a drying rate of ", surroundings.dryingRate,
                " kg/(m2 s); give 0 to 1, as evaporation() does");
     if (!(surroundings.humidity >= 0 && surroundings.humidity < 1))
-        refuse("a humidity of " + std::to_string(surroundings.humidity) + "; give 0 to below 1");
+        refuse("a humidity of ", surroundings.humidity, "; give 0 to below 1");
 }
 
 const Fabric& validated(const Fabric& fabric) {
@@ -97,18 +97,16 @@ std::size_t Moisture::openAccount(std::string name) {
 
 void Moisture::checkWater(std::size_t node, double mass, std::size_t account) const {
     if (node >= size())
-        throw std::out_of_range("drench: node " + std::to_string(node) + " of a sheet with " +
-                                std::to_string(size()) + " nodes; give 0 to " + std::to_string(size() - 1));
+        refuse<std::out_of_range>("node ", node, " of a sheet with ", size(), " nodes; give 0 to ",
+                                  size() - 1);
     if (account >= accounts_.size())
-        throw std::out_of_range("drench: account " + std::to_string(account) + " of " +
-                                std::to_string(accounts_.size()) + "; give one that openAccount() returned");
+        refuse<std::out_of_range>("account ", account, " of ", accounts_.size(),
+                                  "; give one that openAccount() returned");
     constexpr double most = 1e6;  // keeps sums finite in single-precision Bullet
     if (!(mass >= 0 && mass <= most))
-        throw std::invalid_argument("drench: " + std::to_string(mass) + " kg of water for node " +
-                                    std::to_string(node) + "; give a mass from 0 to 1e6 kg");
+        refuse(mass, " kg of water for node ", node, "; give a mass from 0 to 1e6 kg");
     if (areas_[node] == 0)
-        throw std::invalid_argument("drench: node " + std::to_string(node) +
-                                    " belongs to no triangle and has no cloth to wet");
+        refuse("node ", node, " belongs to no triangle and has no cloth to wet; choose another");
 }
 
 void Moisture::addFilm(std::size_t node, double mass, std::size_t account) {
@@ -144,8 +142,7 @@ double Moisture::takePores(std::size_t node, double mass, std::size_t account) {
 void Moisture::cover(std::size_t node, double share) {
     checkWater(node, 0, 0);
     if (!(share >= 0 && share <= 1))
-        throw std::invalid_argument("drench: a covered share of " + std::to_string(share) + " for node " +
-                                    std::to_string(node) + "; give 0 to 1");
+        refuse("a covered fraction of ", share, " for node ", node, "; give 0 to 1");
     if (share == 0) return;
     const double open = double(openAreas_[node]) - share * areas_[node];
     constexpr double rounding = 1e-5;  // of shares that should add up to 1
@@ -166,9 +163,8 @@ void Moisture::recut(const Fabric& fabric, const ClothMesh& mesh, std::vector<do
         if (masses->size() != cut.size() || !std::all_of(masses->begin(), masses->end(), [](double mass) {
                 return mass >= 0 && std::isfinite(mass);
             }))
-            throw std::invalid_argument("drench: water for " + std::to_string(masses->size()) + " nodes of " +
-                                        std::to_string(cut.size()) +
-                                        "; give a finite mass of at least 0 kg for each");
+            refuse("water for ", masses->size(), " nodes of ", cut.size(),
+                   "; give a finite mass of at least 0 kg for each");
     cut.poreMass_ = std::move(poreMass);
     cut.filmMass_ = std::move(filmMass);
     cut.accounts_ = accounts_;

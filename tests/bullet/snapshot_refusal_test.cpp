@@ -260,7 +260,7 @@ TEST_F(SnapshotFile, SaysWhyItCannotBeRead) {
     EXPECT_SAYS(readSnapshot(folder), "it is no file");
     EXPECT_SAYS(readSnapshot(folder / "empty"), "it is empty");
     EXPECT_SAYS(readSnapshot(folder / "text"), "some other file");
-    EXPECT_SAYS(writeSnapshot(folder, smallScene()->cloth().snapshot()), "it is there and is no file");
+    EXPECT_SAYS(writeSnapshot(folder, smallScene()->cloth().snapshot()), "it is there, and is not a file");
     std::filesystem::permissions(folder / "text", std::filesystem::perms::none);
     if (!std::ifstream(folder / "text")) {  // root may read whatever there is
         EXPECT_SAYS(readSnapshot(folder / "text"), "may you read it?");

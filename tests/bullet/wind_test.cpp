@@ -183,7 +183,7 @@ TEST(Wind, AFieldThatIsNotFiniteIsRefused) {
         {std::make_shared<Formula>([](const Vector3d& place, double) {
              return place.x() > 0 ? Vector3d(0, nan, 0) : Vector3d(0, 0, 0);
          }),
-         "velocity of (  0 nan   0) m/s"},
+         "velocity of (0, NaN, 0) m/s"},
         {std::make_shared<Formula>([](const Vector3d&, double) { return Vector3d(HUGE_VAL, 0, 0); }),
          "velocity"},
         {std::make_shared<Formula>([](const Vector3d&, double) { return Vector3d(0, 0, 1.1e4); }), "11000"},

@@ -90,7 +90,7 @@ expect 2 'excludes' drape --scene-file "$folder/towel.json" --headless
 expect 2 'no rectangle' drape-meter --headless --seconds 0.1 --resolution 16 --save-scene "$folder/disc.json"
 expect 2 '/proc/no/scene.json' drape --headless --seconds 0.1 --resolution 8 --save-scene /proc/no/scene.json
 echo '{"sheets": [{"fabric": {"stretchWarp": -3}}]}' >"$folder/bad.json"
-expect 2 'bad.json: sheets\[0\].fabric.stretchWarp is -3; give a number, 1.0 to 1000000.0' --scene-file "$folder/bad.json" --headless
+expect 2 'bad.json: sheets\[0\].fabric.stretchWarp is -3; give a number, 1 to 1e6' --scene-file "$folder/bad.json" --headless
 printf '{\n "name": }' >"$folder/bad.json"
 expect 2 'line 2, column 10' --scene-file "$folder/bad.json" --headless
 

@@ -147,7 +147,7 @@ TEST(SceneFile, RefusesByPathWithWhatMayBeGiven) {
         {R"({"wether": {}})", {"wether is no key", "weather"}},
         {R"({"weather": {"wind": 3}})", {"weather.wind is no key", "windSpeed"}},
         {R"({"weather": 3})", {"weather is 3", "object"}},
-        {R"({"weather": {"humidity": 1.5}})", {"weather.humidity is 1.5", "0.0 to 0.999"}},
+        {R"({"weather": {"humidity": 1.5}})", {"weather.humidity is 1.5", "0 to 0.999"}},
         {R"({"weather": {"humidity": "damp"}})", {"weather.humidity is \"damp\"", "number"}},
         {R"({"weather": {"windDirection": [0, 0, 0]}})", {"weather.windDirection is too short"}},
         {R"({"weather": {"windDirection": [0, 0]}})", {"weather.windDirection is a list of 2", "3 numbers"}},
@@ -189,7 +189,7 @@ TEST(SceneFile, RefusesByPathWithWhatMayBeGiven) {
         {R"({"solids": [{"colour": [2, 0, 0]}]})", {"solids[0].colour[0] is 2"}},
         {withSheet("", R"("sources": [{"sheets": ["shirt"]}])"), {"sources[0].sheets names \"shirt\""}},
         {R"({"sources": [{"kind": "tap"}]})", {"sources[0].kind is \"tap\"", "spray"}},
-        {R"({"sources": [{"kind": "pool", "level": -1}]})", {"sources[0].bottom is 0.0", "below", "lower"}},
+        {R"({"sources": [{"kind": "pool", "level": -1}]})", {"sources[0].bottom is 0,", "below", "lower"}},
         {R"({"sources": [{"rate": 1}, {"rate": 2}]})", {"sources[1].name", "another"}},
     };
     for (const Case& each : cases) {

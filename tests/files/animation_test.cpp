@@ -172,7 +172,7 @@ TEST(Animation, RefusesFramesThatDoNotFit) {
         return refusal<std::invalid_argument>([&] { animation.add(time, frame); });
     };
     EXPECT_NE(refused(0, run[1]).find("later"), std::string::npos);
-    EXPECT_NE(refused(std::nan(""), run[1]).find("nan"), std::string::npos);
+    EXPECT_NE(refused(std::nan(""), run[1]).find("NaN"), std::string::npos);
     EXPECT_NE(refused(1, {}).find("no sheets"), std::string::npos);
     EXPECT_NE(refused(1, {run[1][0]}).find("1 sheets"), std::string::npos);
     EXPECT_NE(refused(1, {run[1][1], run[1][0]}).find("same order"), std::string::npos);

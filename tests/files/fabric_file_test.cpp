@@ -105,7 +105,7 @@ TEST(FabricFile, NamesTheKeyThatIsOff) {
                   {"thickness.value is missing", "0.02 to 20 mm"});
     expectRefused(R"({"like": "cotton", "thickness": {"value": 21, "unit": "mm"}})",
                   {"thickness.value is 21 mm", "0.02 to 20 mm"});
-    expectRefused(R"({"like": "cotton", "thickness": 3})", {"thickness is 3", "2e-05 to 0.02"});
+    expectRefused(R"({"like": "cotton", "thickness": 3})", {"thickness is 3", "2e-5 to 0.02"});
     expectRefused(R"({"like": "cotton", "thickness": "thin"})", {"thickness is \"thin\"", "give a number"});
     expectRefused(R"({"like": "cotton", "thickness": null})", {"thickness is null"});
     expectRefused(R"({"like": "cotton", "thickness": NaN})", {"line 1, column 33"});
@@ -125,6 +125,20 @@ TEST(FabricFile, NamesTheKeyThatIsOff) {
     expectRefused(R"({"like": "cotton"} {})", {"line 1, column 20"});
     expectRefused(R"({"like": [[[[[[[[[[]]]]]]]]]]})", {"8 deep"});
     expectRefused(std::string(2u << 20, ' '), {"1 MB"});
+}
+
+TEST(FabricFile, WhatNoLawReadsMayBeLeftOut) {
+    Fabric fabric = fabrics::wool();
+    fabric.contactAngle = {93, Provenance::measured, "own, 2026"};
+    expectSame(fabricFromText(fabricText(fabric)), fabric);
+    nlohmann::json json = nlohmann::json::parse(fabricText(fabric));
+    json.erase("contactAngle");
+    const Fabric read = fabricFromText(json.dump());
+    EXPECT_EQ(read.contactAngle.provenance, Provenance::assumed);
+    fabric.contactAngle = read.contactAngle;
+    expectSame(read, fabric);
+    json.erase("entryPressure");
+    expectRefused(json.dump(), {"entryPressure is missing"});
 }
 
 TEST(FabricFile, NamesTheFile) {
@@ -180,6 +194,9 @@ TEST(FabricFile, SchemaTakesPresetsAndRefusesWhatIsOff) {
         writeFabric(folder / ("right-" + name + ".json"), fabrics::byName(name));
     test::put(folder / "right-short.json",
               R"({"like": "cotton", "thickness": {"value": 0.3, "unit": "mm"}})");
+    nlohmann::json withoutAngle = nlohmann::json::parse(fabricText(fabrics::silk()));
+    withoutAngle.erase("contactAngle");
+    test::put(folder / "right-without-angle.json", withoutAngle.dump());
     test::put(folder / "wrong-key.json", R"({"like": "cotton", "thicknes": 0.0003})");
     test::put(folder / "wrong-unit.json",
               R"({"like": "cotton", "thickness": {"value": 0.3, "unit": "g/m2"}})");

@@ -119,7 +119,7 @@ TEST(MeshFile, NamesTheLineThatIsOff) {
     expectRefused("v 0 0\n", "line 1: a vertex has 2 numbers; give 3");
     expectRefused("v 0 0 nan\n", "line 1: a vertex has the number 'nan'");
     expectRefused("\n\nv 0 inf 0\n", "line 3: a vertex has the number 'inf'");
-    expectRefused("v 0 1e7 0\n", "'1e7'; give finite numbers from -1e+06 to 1e+06");
+    expectRefused("v 0 1e7 0\n", "'1e7'; give finite numbers from -1e6 to 1e6");
     expectRefused("v 0 0,5 0\n", "'0,5'");
     expectRefused("v 0 0 0x10\r\n", "line 1: a vertex has the number '0x10'");
     expectRefused(square + "f 1 2 5\n", "line 5: a face has the corner '5'; there are 4 vertices");

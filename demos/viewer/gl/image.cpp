@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "checks/text.h"
 #include "state/whole_file.h"
 
 namespace drench::viewer {
@@ -27,9 +28,8 @@ std::size_t byteCount(int width, int height) {
 void requireWhole(const Image& image) {
     if (image.width < 1 || image.height < 1 || image.rgb.size() != byteCount(image.width, image.height)) {
         throw std::runtime_error(
-            "viewer: an image must be at least 1 x 1 and hold 3 bytes a pixel; this one is " +
-            std::to_string(image.width) + " x " + std::to_string(image.height) + " with " +
-            std::to_string(image.rgb.size()) + " bytes");
+            textOf("viewer: an image must be at least 1 x 1 and hold 3 bytes a pixel; this one is ",
+                   image.width, " x ", image.height, " with ", image.rgb.size(), " bytes"));
     }
 }
 

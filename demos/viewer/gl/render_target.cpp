@@ -1,4 +1,5 @@
 #include "viewer/gl/render_target.h"
+#include "checks/text.h"
 
 #include <algorithm>
 #include <array>
@@ -12,10 +13,9 @@ namespace {
 void requireComplete(const std::string& what, int width, int height) {
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
-        throw std::runtime_error("viewer: the graphics driver cannot provide " + what + " of " +
-                                 std::to_string(width) + " x " + std::to_string(height) +
-                                 " pixels (framebuffer status " + std::to_string(status) +
-                                 "); ask for a smaller picture or update the driver");
+        throw std::runtime_error(textOf("viewer: the graphics driver cannot provide ", what, " of ", width,
+                                        " x ", height, " pixels (framebuffer status ", status,
+                                        "); ask for a smaller picture or update the driver"));
     }
 }
 
@@ -23,9 +23,8 @@ void requireSize(int width, int height) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     if (width < 1 || height < 1 || width > largest || height > largest) {
-        throw std::runtime_error(
-            "viewer: a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-            " pixels is not possible; each side must be from 1 to " + std::to_string(largest));
+        throw std::runtime_error(textOf("viewer: a picture of ", width, " x ", height,
+                                        " pixels is not possible; each side must be from 1 to ", largest));
     }
 }
 

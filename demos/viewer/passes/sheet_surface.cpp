@@ -1,9 +1,9 @@
 #include "viewer/passes/sheet_surface.h"
+#include "checks/text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include "viewer/passes/shader_values.h"
 
@@ -13,8 +13,8 @@ namespace {
 
 void requireSize(const char* list, std::size_t size, std::size_t nodes) {
     if (size != nodes) {
-        throw std::runtime_error("viewer: a sheet has " + std::to_string(nodes) + " positions but " +
-                                 std::to_string(size) + " entries in " + list + "; give one for each node");
+        throw std::runtime_error(textOf("viewer: a sheet has ", nodes, " positions but ", size,
+                                        " entries in ", list, "; give one for each node"));
     }
 }
 
@@ -30,14 +30,14 @@ void requireConsistent(const SheetMesh& sheet) {
     requireSizeIfAny("transmittance", sheet.transmittance.size());
     requireSizeIfAny("values", sheet.values.size());
     if (!(sheet.threadSpacing > 0.0f)) {
-        throw std::runtime_error("viewer: a sheet has a thread spacing of " +
-                                 std::to_string(sheet.threadSpacing) + " m; give one above 0");
+        throw std::runtime_error(
+            textOf("viewer: a sheet has a thread spacing of ", sheet.threadSpacing, " m; give one above 0"));
     }
     for (const auto& triangle : sheet.triangles) {
         for (const std::uint32_t node : triangle) {
             if (node >= nodes) {
-                throw std::runtime_error("viewer: a triangle of a sheet names node " + std::to_string(node) +
-                                         ", but the sheet has " + std::to_string(nodes) + " nodes");
+                throw std::runtime_error(textOf("viewer: a triangle of a sheet names node ", node,
+                                                ", but the sheet has ", nodes, " nodes"));
             }
         }
     }

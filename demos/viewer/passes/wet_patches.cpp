@@ -1,9 +1,9 @@
 #include "viewer/passes/wet_patches.h"
+#include "checks/text.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
-#include <string>
 
 #include "viewer/passes/shader_values.h"
 #include "viewer/shaders/shaders.h"
@@ -16,9 +16,9 @@ void requireComplete() {
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
         throw std::runtime_error(
-            "viewer: the graphics driver cannot provide a map of wet patches "
-            "(framebuffer status " +
-            std::to_string(status) + "); ask for a smaller picture or update the driver");
+            textOf("viewer: the graphics driver cannot provide a map of wet patches "
+                   "(framebuffer status ",
+                   status, "); ask for a smaller picture or update the driver"));
     }
 }
 

@@ -1,4 +1,5 @@
 #include "viewer/picture/picture.h"
+#include "checks/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +9,11 @@ namespace drench::viewer {
 
 namespace {
 
-void require(bool holds, const char* field) {
-    if (!holds) {
-        throw std::runtime_error(std::string("viewer: camera ") + field +
-                                 " is out of range or not finite; set a value as picture.h describes");
-    }
+template <typename Value>
+void require(bool holds, const char* field, const Value& value) {
+    if (!holds)
+        throw std::runtime_error(textOf("viewer: camera ", field, " is ", value,
+                                        ", out of range or not finite; set a value as picture.h describes"));
 }
 
 }  // namespace
@@ -64,11 +65,12 @@ float Camera::farPlane() const {
 
 void Camera::check() const {
     constexpr float quarterTurn = 1.5707963f;
-    require(target.allFinite(), "target");
-    require(distance > 0.0f && std::isfinite(distance), "distance");
-    require(std::isfinite(yaw), "yaw");
-    require(std::abs(pitch) < quarterTurn, "pitch");
-    require(verticalFieldOfView > 0.0f && verticalFieldOfView < 2.0f * quarterTurn, "verticalFieldOfView");
+    require(target.allFinite(), "target", target);
+    require(distance > 0.0f && std::isfinite(distance), "distance", distance);
+    require(std::isfinite(yaw), "yaw", yaw);
+    require(std::abs(pitch) < quarterTurn, "pitch", pitch);
+    require(verticalFieldOfView > 0.0f && verticalFieldOfView < 2.0f * quarterTurn, "verticalFieldOfView",
+            verticalFieldOfView);
 }
 
 }  // namespace drench::viewer

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
+
+#include "checks/checks.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -78,19 +79,20 @@ double DeformableSheet::stepBound() const {
 void DeformableSheet::check(const btDiscreteDynamicsWorld& world, double dt) {
     mode_ = deformableModeOf(world);
     if (mode_.implicit && !mode_.useProjection)
-        throw std::runtime_error(
-            "drench: the deformable world is implicit without projection, where Bullet solves nothing and "
+        refuse<std::runtime_error>(
+            "the deformable world is implicit without projection, where Bullet solves nothing and "
             "soft bodies do not move; call world.setUseProjection(true) or world.setImplicit(false)");
     constexpr double rounding = 1e-6;
     if (dt <= stepBound() * (1 + rounding)) return;
     constexpr double frame = 1.0 / 60;
-    std::ostringstream message;
-    message << "drench: a substep of " << dt << " s in the explicit deformable world, where this sheet "
-            << "blows up beyond " << explicitBound_ << " s (by its stiffest links and its masses when dry); "
-            << "take " << std::ceil(frame / explicitBound_) << " substeps for a frame of 1/60 s ("
-            << std::ceil(dt / explicitBound_) << " for one of now), a coarser grid or softer cloth, or call "
-            << "world.setImplicit(true) and world.setUseProjection(true)";
-    throw std::runtime_error(message.str());
+    refuse<std::runtime_error>("a substep of ", sixDigits(dt),
+                               " s in the explicit deformable world, where this sheet blows up beyond ",
+                               sixDigits(explicitBound_),
+                               " s (by its stiffest links and its masses when dry); take ",
+                               sixDigits(std::ceil(frame / explicitBound_)),
+                               " substeps for a frame of 1/60 s (", sixDigits(std::ceil(dt / explicitBound_)),
+                               " for one of now), a coarser grid or softer cloth, or call ",
+                               "world.setImplicit(true) and world.setUseProjection(true)");
 }
 
 void DeformableSheet::write(btSoftBody& body) {

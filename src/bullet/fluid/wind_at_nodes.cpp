@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "bullet/fluid/rigid_shelter.h"
 #include "bullet/packed/node_arrays.h"
 #include "bullet/world/vectors.h"
+#include "checks/checks.h"
 #include "cloth/compressed_rows.h"
 #include "drench/wind.h"
 
@@ -30,19 +30,16 @@ Eigen::Vector3d vector3Of(const PackedVector& node) {
 double checkedLength(const WindField& field) {
     const double length = field.length();
     if (length > 0) return length;
-    throw std::runtime_error("drench: the length of the wind field in WetCloth::air().field is " +
-                             std::to_string(length) +
-                             " m; return one above 0, infinity for a wind that is the same everywhere");
+    refuse<std::runtime_error>("the length of the wind field in WetCloth::air().field is ", length,
+                               " m; return one above 0, infinity for a wind that is the same everywhere");
 }
 
 Eigen::Vector3d checkedVelocity(const WindField& field, const Eigen::Vector3d& place, double time) {
     Eigen::Vector3d velocity = field.velocity(place, time);
     if (velocity.norm() <= fastest) return velocity;
-    std::ostringstream message;
-    message << "drench: the wind field in WetCloth::air().field has a velocity of (" << velocity.transpose()
-            << ") m/s at (" << place.transpose() << ") m and " << time
-            << " s; return finite ones of at most 10000 m/s";
-    throw std::runtime_error(message.str());
+    refuse<std::runtime_error>("the wind field in WetCloth::air().field has a velocity of ", velocity,
+                               " m/s at ", sixDigits(place), " m and ", sixDigits(time),
+                               " s; return finite ones of at most 10000 m/s");
 }
 
 /// Of each node, in the order of its triangles.

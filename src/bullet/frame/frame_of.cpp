@@ -3,8 +3,8 @@
 #include <BulletSoftBody/btSoftBody.h>
 
 #include <Eigen/Geometry>
-#include <stdexcept>
 
+#include "checks/checks.h"
 #include "drench/wet_cloth.h"
 
 namespace drench {
@@ -64,10 +64,8 @@ ClothFrame frameOf(const std::string& name, const btSoftBody& body, const WetClo
     ClothFrame frame;
     frame.name = name;
     if (static_cast<std::size_t>(body.m_nodes.size()) != cloth.moisture().size())
-        throw std::invalid_argument("drench: sheet '" + name + "': the body has " +
-                                    std::to_string(body.m_nodes.size()) + " nodes and the cloth " +
-                                    std::to_string(cloth.moisture().size()) +
-                                    "; give the body that the cloth is attached to");
+        refuse("sheet ", inQuotes(name), ": the body has ", body.m_nodes.size(), " nodes and the cloth ",
+               cloth.moisture().size(), "; give the body that the cloth is attached to");
     readShape(frame, body);
     readWater(frame, cloth);
     validate(frame);

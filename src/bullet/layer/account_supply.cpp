@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include "bullet/world/vectors.h"
+#include "checks/checks.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -15,8 +15,7 @@ namespace {
 void checkVelocity(const char* what, std::size_t node, const Eigen::Vector3d& velocity) {
     constexpr double fastest = 1e6;  // m/s
     if (!(velocity.cwiseAbs().maxCoeff() <= fastest) || !velocity.allFinite())
-        throw std::invalid_argument("drench: water " + (what + (" node " + std::to_string(node))) +
-                                    " has a velocity that is not finite or over 1e6; give m/s");
+        refuse("water ", what, " node ", node, " has a velocity that is not finite or over 1e6; give m/s");
 }
 
 }  // namespace
@@ -62,12 +61,9 @@ void AccountSupply::cover(std::size_t node, double share) {
 
 void AccountSupply::submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) {
     if (node >= sheet_.moisture.size())
-        throw std::out_of_range("drench: node " + std::to_string(node) + " of a sheet with " +
-                                std::to_string(sheet_.moisture.size()) + " nodes; give 0 to " +
-                                std::to_string(sheet_.moisture.size() - 1));
-    if (!(std::abs(depth) <= 1e9))
-        throw std::invalid_argument("drench: node " + std::to_string(node) + " is " + std::to_string(depth) +
-                                    " m under water; give -1e9 to 1e9");
+        refuse<std::out_of_range>("node ", node, " of a sheet with ", sheet_.moisture.size(),
+                                  " nodes; give 0 to ", sheet_.moisture.size() - 1);
+    if (!(std::abs(depth) <= 1e9)) refuse("node ", node, " is ", depth, " m under water; give -1e9 to 1e9");
     checkVelocity("around", node, velocity);
     sheet_.submersion.submerge(node, depth, velocity);
 }

@@ -6,11 +6,11 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <string>
 
 #include "bullet/layer/layer.h"
 #include "bullet/world/soft_world.h"
 #include "bullet/world/vectors.h"
+#include "checks/checks.h"
 #include "state/state_pass.h"
 
 namespace drench {
@@ -132,8 +132,7 @@ void FallingDrops::takeDrops() {
 
 void FallingDrops::step(double dt) {
     if (!(dt >= 0) || !std::isfinite(dt))
-        throw std::invalid_argument("drench: drops cannot fall for " + std::to_string(dt) +
-                                    " s; give a finite time of at least 0 s");
+        refuse("drops cannot fall for ", dt, " s; give a finite time of at least 0 s");
     takeDrops();
     landed_.clear();
     const Eigen::Vector3d gravity = toEigen(worldInfoOf(world_).m_gravity);
@@ -181,9 +180,8 @@ void FallingDrops::load(StateReader& reader) {
     for (const SavedDrops::Flying& each : saved.all) {
         const auto place = static_cast<std::size_t>(each.sheet);
         if (each.sheet >= 0 && place >= sheets_->all.size())
-            throw std::runtime_error("drench: saved drops fell from sheet " + std::to_string(place) + " of " +
-                                     std::to_string(sheets_->all.size()) +
-                                     "; add the same sheets in the same order");
+            refuse<std::runtime_error>("saved drops fell from sheet ", place, " of ", sheets_->all.size(),
+                                       "; add the same sheets in the same order");
         const void* const sheet = each.sheet < 0 ? nullptr : sheets_->all[place].lock().get();
         flights.push_back(each.flight);
         origins.all.push_back({each.origin, sheet, each.momentumShare});

@@ -11,6 +11,7 @@
 #include "bullet/sheet/border_checks.h"
 #include "bullet/world/stop_watch.h"
 #include "bullet/world/vectors.h"
+#include "checks/checks.h"
 #include "drench/drying.h"
 #include "drench/water.h"
 
@@ -21,8 +22,7 @@ namespace {
 
 double checkedWaterSpeed(const char* name, double waterSpeed) {
     if (waterSpeed >= 0 && waterSpeed <= 1e5) return waterSpeed;
-    throw std::invalid_argument("drench: " + (name + (" is " + std::to_string(waterSpeed))) +
-                                "; give a value from 0 to 100000");
+    refuse(name, " is ", waterSpeed, "; give a value from 0 to 100000");
 }
 
 /// Of arriving water, the part that pushes the body: it is hit by the water of its own time only, however much more
@@ -42,18 +42,17 @@ RestShape checkedShape(const btCollisionWorld& world, const btSoftBody& body) {
 
 void checkCount(const char* setting, std::size_t given, const char* parts, std::size_t wanted) {
     if (given == wanted) return;
-    throw std::invalid_argument("drench: WetCloth: SheetSettings::" + std::string(setting) + " has " +
-                                std::to_string(given) + " material coordinates for " +
-                                std::to_string(wanted) + " " + parts + "; give as many, or none");
+    refuse("WetCloth: SheetSettings::", setting, " has ", given, " material coordinates for ", wanted, " ",
+           parts, "; give as many, or none");
 }
 
 ClothMesh checkedMesh(const SheetSettings& settings, const btSoftBody& body, const RestShape& shape) {
     ClothMesh mesh;
     if (!settings.faceCoordinates.empty()) {
         if (!settings.materialCoordinates.empty())
-            throw std::invalid_argument(
-                "drench: WetCloth: SheetSettings has materialCoordinates and faceCoordinates; give one of "
-                "them");
+            refuse(
+                "WetCloth: SheetSettings has materialCoordinates and faceCoordinates; give one "
+                "of them");
         checkCount("faceCoordinates", settings.faceCoordinates.size(), "faces", shape.triangles.size());
         mesh = {shape.nodeAreas, shape.triangles, settings.faceCoordinates};
     } else if (!settings.materialCoordinates.empty()) {
@@ -135,16 +134,14 @@ std::vector<double> WetCloth::Layer::dryMasses() const {
 
 std::size_t WetCloth::Layer::checkedNode(int node) const {
     if (node >= 0 && node < static_cast<int>(mesh.size())) return static_cast<std::size_t>(node);
-    throw std::out_of_range("drench: node " + std::to_string(node) + " of a sheet with " +
-                            std::to_string(mesh.size()) + " nodes; give 0 to " +
-                            std::to_string(mesh.size() - 1));
+    refuse<std::out_of_range>("node ", node, " of a sheet with ", mesh.size(), " nodes; give 0 to ",
+                              mesh.size() - 1);
 }
 
 /// Water on each node, kg, where every part of the cloth gets the same, kg/m2.
 std::vector<double> WetCloth::Layer::spread(double massPerArea) const {
     if (!(massPerArea >= 0 && massPerArea <= 1e3))
-        throw std::invalid_argument("drench: soaking with " + std::to_string(massPerArea) +
-                                    " kg/m2; give a value from 0 to 1000");
+        refuse("soaking with ", massPerArea, " kg/m2; give a value from 0 to 1000");
     std::vector<double> spreadMasses;
     for (const double area : mesh.areas) spreadMasses.push_back(massPerArea * area);
     return spreadMasses;
@@ -174,7 +171,7 @@ SheetPose WetCloth::Layer::sheetPose() const {
 }
 
 void WetCloth::Layer::add(std::unique_ptr<Source> source) {
-    if (!source) throw std::invalid_argument("drench: there is no source to add; give one");
+    if (!source) refuse("there is no source to add; give one");
     if (watch.bodyIsAlive()) {
         // A source checks its settings at every step; at one of no length it does nothing else.
         if (fits()) {
@@ -200,7 +197,7 @@ void WetCloth::Layer::remove(const Source& source) {
         if (!supplying) forgetRemoved();
         return;
     }
-    throw std::invalid_argument("drench: the source to remove is not one of this WetCloth's");
+    refuse("the source to remove is not one of this WetCloth's; give one that was added to it");
 }
 
 void WetCloth::Layer::setWaterSpeed(double speed) {
@@ -231,9 +228,7 @@ void WetCloth::Layer::preTick(btScalar dt) {
 }
 
 void WetCloth::Layer::substep(btScalar dt) {
-    if (!(dt > 0) || !std::isfinite(dt))
-        throw std::invalid_argument("drench: a substep of " + std::to_string(dt) +
-                                    " s; give a positive finite time");
+    if (!(dt > 0) || !std::isfinite(dt)) refuse("a substep of ", dt, " s; give a positive finite time");
     troubles.begin(time, mechanics.times.substeps);
     if (!fitToBody()) {
         time += bodyStepOf(dt);
@@ -312,7 +307,8 @@ void WetCloth::Layer::supply(double waterTime) {
         try {
             source->supply(sheet, waterTime, *suppliers[i].supply);
         } catch (const std::exception& problem) {
-            troubles.noteThrown(Trouble::source, "the source \"" + source->name() + "\": " + problem.what());
+            troubles.noteThrown(Trouble::source,
+                                textOf("the source \"", source->name(), "\": ", reasonOf(problem)));
         }
     }
 }

@@ -11,6 +11,7 @@
 #include "bullet/repair/recut.h"
 #include "bullet/world/stop_watch.h"
 #include "bullet/world/vectors.h"
+#include "checks/checks.h"
 #include "drench/drying.h"
 
 namespace drench {
@@ -66,7 +67,7 @@ bool WetCloth::Layer::fitToBody() {
             refit();
             return true;
         } catch (const std::invalid_argument& problem) {
-            whyRefused = problem.what();
+            whyRefused = reasonOf(problem);
         }
     troubles.note(
         Trouble::topology,
@@ -139,10 +140,9 @@ void WetCloth::Layer::mendBody() {
 void WetCloth::Layer::reportHeldSubsteps() {
     if (std::exchange(heldSubsteps, mechanics.heldSubsteps) == mechanics.heldSubsteps) return;
     troubles.note(Trouble::motion,
-                  "the small steps of the last substep took node " + std::to_string(mechanics.heldNode) +
-                      " to a place that is not finite, or over 1e7 m off, so the sheet stayed where it was, "
-                      "at rest; look for forces, "
-                      "speeds or obstacles beyond all measure",
+                  textOf("the small steps of the last substep took node ", mechanics.heldNode,
+                         " to a position that is not finite, or over 1e7 m from the origin, so the sheet "
+                         "stayed where it was, at rest; look for extreme forces, speeds or obstacles"),
                   mechanics.heldNode);
 }
 
@@ -150,7 +150,8 @@ void WetCloth::Layer::readAir(double bodyStep) {
     StopWatch watchOfWind;
     try {
         if (!air.wind.allFinite())
-            throw std::runtime_error("drench: the wind is not finite; mend WetCloth::air().wind");
+            refuse<std::runtime_error>("the wind in WetCloth::air().wind is ", air.wind,
+                                       " m/s; give finite numbers");
         validate(air);
         usedAir = air;
     } catch (const std::exception& problem) {
@@ -159,7 +160,10 @@ void WetCloth::Layer::readAir(double bodyStep) {
     try {
         winds.evaluate(usedAir, {pose, toEigen(pose.origin), time, bodyStep, world});
     } catch (const std::exception& problem) {
-        troubles.noteThrown(Trouble::air, problem.what());
+        const std::string why = reasonOf(problem);
+        const bool isNamed = why.find("wind field") != std::string::npos;  // as by Drench's own checks
+        troubles.noteThrown(Trouble::air,
+                            isNamed ? why : textOf("the wind field in WetCloth::air().field: ", why));
     }
     mechanics.times.air += watchOfWind.lap();
 }

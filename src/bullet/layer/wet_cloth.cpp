@@ -10,6 +10,7 @@
 #include "bullet/layer/layer.h"
 #include "bullet/repair/health.h"
 #include "bullet/world/vectors.h"
+#include "checks/checks.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -183,10 +184,9 @@ StepTimes WetCloth::times() const {
 
 void WetCloth::preSubstep(btScalar dt) {
     if (layer_->stepping == Stepping::byWorld)
-        throw std::logic_error(
-            "drench: preSubstep is the application's to call only with Stepping::byApplication; this "
-            "WetCloth is "
-            "stepped by its world");
+        refuse<std::logic_error>(
+            "preSubstep is the application's to call only with Stepping::byApplication; this "
+            "WetCloth is stepped by its world");
     if (layer_->watch.bodyIsAlive() && layer_->body.getBroadphaseHandle()) layer_->substep(dt);
 }
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include "bullet/bullet_solvers/contact_order.h"
 #include "bullet/layer/layer.h"
+#include "checks/checks.h"
 #include "drench/water.h"
-#include "state/checks.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -50,8 +49,7 @@ void WetBody::supply(const SheetPose& sheet, double dt, Supply& supply) {
 
 void WetBody::load(StateReader& reader) {
     const auto left = reader.read<double>();
-    if (!(left >= 0))
-        throw std::runtime_error("drench: a wet body cannot have " + std::to_string(left) + " kg left");
+    if (!(left >= 0)) refuse<std::runtime_error>("a wet body cannot have ", left, " kg left");
     amount = left;
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <string>
+
+#include "checks/text.h"
 
 #include "bullet/world/limits.h"
 
@@ -14,13 +14,6 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 namespace {
 
 constexpr auto unlimited = std::numeric_limits<btScalar>::max();
-
-template <typename... Parts>
-std::string text(const Parts&... parts) {
-    std::ostringstream stream;
-    (stream << ... << parts);
-    return stream.str();
-}
 
 /// A setting of a body, its range, and what Bullet gives new bodies.
 struct Setting {
@@ -71,16 +64,16 @@ class NodeMender {
         if (const double off = excess(node.m_x, farthestPlace); isOff(off)) mendPlace(n, off);
         if (const double off = excess(node.m_v, fastestNode); isOff(off)) {
             troubles_.note(Trouble::velocity,
-                           text("node ", n, " has a velocity of ", off,
-                                " m/s along an axis; what gave it to it should give a finite one, up to ",
-                                fastestNode, " m/s"),
+                           textOf("node ", n, " has a velocity of ", sixDigits(off),
+                                  " m/s along an axis; what gave it to it should give a finite one, up to ",
+                                  fastestNode, " m/s"),
                            n, off);
             node.m_v.setZero();
         }
         if (const double off = excess(node.m_f, double(unlimited)); isOff(off)) {
             troubles_.note(Trouble::force,
-                           text("node ", n, " has a force of ", off,
-                                " N along an axis; what adds to its m_f should add finite forces"),
+                           textOf("node ", n, " has a force of ", sixDigits(off),
+                                  " N along an axis; what adds to its m_f should add finite forces"),
                            n, off);
             node.m_f.setZero();
         }
@@ -92,9 +85,9 @@ class NodeMender {
         btSoftBody::Node& node = body_.m_nodes[n];
         troubles_.note(
             Trouble::position,
-            text("node ", n, " is at ", off,
-                 " m along an axis; a force, an obstacle or a setting has blown the sheet up in the "
-                 "substep before"),
+            textOf("node ", n, " is at ", sixDigits(off),
+                   " m along an axis; a force, an obstacle or a setting has blown the sheet up in the "
+                   "substep before"),
             n, off);
         node.m_x = node.m_q = lastPlaceOf(n);
         node.m_v.setZero();
@@ -121,9 +114,9 @@ class NodeMender {
         const auto at = static_cast<std::size_t>(n);
         const double off = double(node.m_im), mass = at < masses_.size() ? masses_[at] : 0;
         troubles_.note(Trouble::mass,
-                       text("node ", n, " has an inverse mass of ", off,
-                            " /kg; leave masses to Drench, and set "
-                            "m_im = 0 for a pin"),
+                       textOf("node ", n, " has an inverse mass of ", sixDigits(off),
+                              " /kg; leave masses to Drench, and set "
+                              "m_im = 0 for a pin"),
                        n, off);
         node.m_im = mass > 0 ? btScalar(1 / mass) : 0;
     }
@@ -141,11 +134,11 @@ void mendSettings(btSoftBody& body, Troubles& troubles) {
         btScalar& value = body.m_cfg.*setting.value;
         if (value >= setting.least && value <= setting.most) continue;
         troubles.note(Trouble::bodySetting,
-                      text("the body's m_cfg.", setting.name, " is ", value, "; give ",
-                           setting.least > 0 ? "a positive finite number (to pause a sheet, do not step it)"
-                           : setting.least == 0 ? "a finite number of at least 0"
-                                                : "a finite number",
-                           ", as Bullet does with ", setting.standard),
+                      textOf("the body's m_cfg.", setting.name, " is ", value, "; give ",
+                             setting.least > 0 ? "a positive finite number (to pause a sheet, do not step it)"
+                             : setting.least == 0 ? "a finite number of at least 0"
+                                                  : "a finite number",
+                             ", as Bullet does with ", setting.standard),
                       -1, double(value));
         value = setting.standard;
     }
@@ -154,8 +147,8 @@ void mendSettings(btSoftBody& body, Troubles& troubles) {
 void mendRestLengthScale(btSoftBody& body, const RestShape& shape, Troubles& troubles) {
     if (body.m_restLengthScale >= shortestScale && body.m_restLengthScale <= longestScale) return;
     troubles.note(Trouble::bodySetting,
-                  text("the body's rest length scale is ", body.m_restLengthScale,
-                       "; give setRestLengthScale a positive finite number, 1 for the cloth as it is"),
+                  textOf("the body's rest length scale is ", body.m_restLengthScale,
+                         "; give setRestLengthScale a positive finite number, 1 for the cloth as it is"),
                   -1, double(body.m_restLengthScale));
     body.m_restLengthScale = 1;
     writeRestLengths(body, shape);
@@ -166,8 +159,8 @@ void mendGravity(btSoftBody& body, const btVector3& lastGood, Troubles& troubles
     const double strength = std::hypot(double(gravity.x()), double(gravity.y()), double(gravity.z()));
     if (strength <= strongestGravity) return;
     troubles.note(Trouble::gravity,
-                  text("the gravity of the body's world info is ", strength,
-                       " m/s2; give a finite one, at most 10000, in getWorldInfo()->m_gravity"),
+                  textOf("the gravity of the body's world info is ", sixDigits(strength),
+                         " m/s2; give a finite one, at most 10000, in getWorldInfo()->m_gravity"),
                   -1, strength);
     gravity = lastGood;
 }

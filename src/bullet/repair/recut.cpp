@@ -7,12 +7,12 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "bullet/sheet/border_checks.h"
 #include "bullet/sheet/face_projection.h"
 #include "bullet/world/vectors.h"
+#include "checks/text.h"
 #include "cloth/mesh_edges.h"
 
 namespace drench {
@@ -28,8 +28,8 @@ class Recutter {
         : body_(body), old_(shape), oldMesh_(mesh), oldNodes_(static_cast<int>(mesh.size())) {
         checkBody(body);
         if (body.m_nodes.size() < oldNodes_)
-            throw std::invalid_argument("the body has " + std::to_string(body.m_nodes.size()) + " nodes of " +
-                                        std::to_string(oldNodes_));
+            throw std::invalid_argument(
+                textOf("the body has ", body.m_nodes.size(), " nodes of ", oldNodes_));
         facesAround_ = trianglesAround(old_.triangles, mesh.size());
     }
 
@@ -50,8 +50,7 @@ class Recutter {
     int checkedIndex(const btSoftBody::Node* node, const char* what, int of) const {
         const btSoftBody::Node* const first = &body_.m_nodes[0];
         if (std::less<>()(node, first) || !std::less<>()(node, first + body_.m_nodes.size()))
-            throw std::invalid_argument(what + (" " + std::to_string(of)) +
-                                        " joins a node that is not the body's");
+            throw std::invalid_argument(textOf(what, " ", of, " joins a node that is not the body's"));
         return indexOf(body_, node);
     }
 
@@ -79,8 +78,8 @@ class Recutter {
         const double area = triangleArea(coordinates) * restOverMaterial(origin);
         constexpr double thinnest = 1e-9;  // of the old face; what is smaller would take endless steps
         if (!(area > thinnest * old_.triangleAreas[origin]))
-            throw std::invalid_argument("face " + std::to_string(cut_.shape.triangles.size()) +
-                                        " has less than 1e-9 of the area of the face that it is of");
+            throw std::invalid_argument(textOf("face ", cut_.shape.triangles.size(),
+                                               " has less than 1e-9 of the area of the face that it is of"));
         cut_.shape.triangles.push_back(triangle);
         cut_.shape.triangleAreas.push_back(area);
         addThirds(triangle, area, cut_.shape.nodeAreas);
@@ -156,8 +155,7 @@ class Recutter {
         sides << toEigen(placeOf(corners[1])) - origin, toEigen(placeOf(corners[2])) - origin;
         const Eigen::Matrix2d products = sides.transpose() * sides;
         const Eigen::Vector2d along = products.inverse() * (sides.transpose() * (toEigen(place) - origin));
-        if (!along.allFinite())
-            throw std::invalid_argument("face " + std::to_string(face) + " has no area now");
+        if (!along.allFinite()) throw std::invalid_argument(textOf("face ", face, " has no area now"));
         return {1 - along.sum(), along.x(), along.y()};
     }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "checks/checks.h"
+
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 void Troubles::note(Trouble what, const std::string& message, int node, double value) {
-    if (throws()) throw std::runtime_error("drench: " + message);
+    if (throws()) refuse<std::runtime_error>(message);
     write(what, message, node, value);
 }
 
@@ -25,9 +27,7 @@ void Troubles::write(Trouble what, const std::string& message, int node, double 
     }
     // Of several in one substep, such as all nodes at once, the first is the one to read of.
     if (report->substeps > 0 && report->lastSubstep == substep_) return;
-    const std::string prefix = "drench: ";  // of what is thrown
-    report->message =
-        message.compare(0, prefix.size(), prefix) == 0 ? message.substr(prefix.size()) : message;
+    report->message = withoutPrefix(message);
     report->node = node;
     report->value = value;
     report->last = time_;

@@ -5,21 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
-#include <stdexcept>
+
+#include "checks/checks.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
-
-template <typename... Parts>
-[[noreturn]] void refuse(const Parts&... parts) {
-    std::ostringstream message;
-    message << "drench: WetCloth: ";
-    (message << ... << parts);
-    throw std::invalid_argument(message.str());
-}
 
 bool isFinite(const btVector3& v) {
     return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
@@ -51,24 +43,25 @@ double meanLinkLength(const RestShape& shape) {
 void checkBody(const btSoftBody& body) {
     if (body.getInternalType() != btCollisionObject::CO_SOFT_BODY)
         refuse(
-            "the body does not look like a btSoftBody; compile the application, Bullet and Drench with "
-            "the same precision (BT_USE_DOUBLE_PRECISION)");
+            "WetCloth: the body does not look like a btSoftBody; compile the application, Bullet and Drench "
+            "with the same precision (BT_USE_DOUBLE_PRECISION)");
     if (body.m_tetras.size() > 0)
-        refuse("the body has ", body.m_tetras.size(),
+        refuse("WetCloth: the body has ", body.m_tetras.size(),
                " tetrahedra; a cloth is a surface, give a body of faces and links");
     if (body.m_faces.size() == 0)
-        refuse("the body has no faces; water needs area, so append the cloth's triangles");
+        refuse("WetCloth: the body has no faces; water needs area, so append the cloth's triangles");
     if (body.m_links.size() == 0)
-        refuse("the body has no links; append one along each edge of its triangles");
+        refuse("WetCloth: the body has no links; append one along each edge of its triangles");
     using Collision = btSoftBody::fCollision;
     if (body.m_clusters.size() > 0 ||
         (body.m_cfg.collisions & (Collision::CL_RS | Collision::CL_SS | Collision::CL_SELF)))
-        refuse("the body collides by clusters (", body.m_clusters.size(),
+        refuse("WetCloth: the body collides by clusters (", body.m_clusters.size(),
                " of them), which keep the masses of the dry cloth; use m_cfg.collisions = SDF_RS (and VF_SS) "
                "and do not call generateClusters");
     for (int n = 0; n < body.m_nodes.size(); ++n)
         if (!isFinite(body.m_nodes[n].m_x) || !isFinite(body.m_nodes[n].m_v))
-            refuse("node ", n, " has a position or velocity that is not finite; mend it before attaching");
+            refuse("WetCloth: node ", n,
+                   " has a position or velocity that is not finite; mend it before attaching");
 }
 
 void checkPlanes(const btCollisionWorld& world, const btSoftBody& body) {
@@ -77,7 +70,7 @@ void checkPlanes(const btCollisionWorld& world, const btSoftBody& body) {
         if (containsPlane(*object.getCollisionShape()) && object.hasContactResponse() &&
             mayMeet(object.getBroadphaseHandle(), body.getBroadphaseHandle()))
             refuse(
-                "collision object ", i,
+                "WetCloth: collision object ", i,
                 " is a plane shape, above which Bullet lets soft bodies float by a tenth of a metre; use a "
                 "btBoxShape for the ground, or filter the pair out");
     }
@@ -87,15 +80,15 @@ void checkContacts(const btSoftBody& body, const RestShape& shape) {
     const double link = meanLinkLength(shape);
     const double voxel = double(body.m_worldInfo->m_sparsesdf.voxelsz);
     if (voxel > link)
-        refuse("the distance field of the body's world info has voxels of ", voxel,
-               " m, coarser than the sheet's mean link of ", link,
-               " m; call body.getWorldInfo()->m_sparsesdf.setDefaultVoxelsz(", link / 2,
+        refuse("WetCloth: the distance field of the body's world info has voxels of ", sixDigits(voxel),
+               " m, coarser than the sheet's mean link of ", sixDigits(link),
+               " m; call body.getWorldInfo()->m_sparsesdf.setDefaultVoxelsz(", sixDigits(link / 2),
                ") and then m_sparsesdf.Reset()");
     const double margin = double(body.getCollisionShape()->getMargin());
     if (!(margin >= 0 && margin <= link))
-        refuse("the body's collision margin is ", margin,
-               " m, which is below 0 or larger than its mean link of ", link,
-               " m; call body.getCollisionShape()->setMargin(", link / 4, ")");
+        refuse("WetCloth: the body's collision margin is ", sixDigits(margin),
+               " m, which is below 0 or larger than its mean link of ", sixDigits(link),
+               " m; call body.getCollisionShape()->setMargin(", sixDigits(link / 4), ")");
 }
 
 void checkDuplicates(const RestShape& shape) {
@@ -104,7 +97,7 @@ void checkDuplicates(const RestShape& shape) {
         std::array<int, 3> nodes = shape.triangles[t];
         std::sort(nodes.begin(), nodes.end());
         if (!faces.insert(nodes).second)
-            refuse("face ", t, " joins the nodes ", nodes[0], ", ", nodes[1], " and ", nodes[2],
+            refuse("WetCloth: face ", t, " joins the nodes ", nodes[0], ", ", nodes[1], " and ", nodes[2],
                    ", as an earlier one does; a sheet is two-sided already, remove the double");
     }
     std::set<std::array<int, 2>> links;
@@ -112,7 +105,7 @@ void checkDuplicates(const RestShape& shape) {
         std::array<int, 2> nodes = shape.links[i].nodes;
         std::sort(nodes.begin(), nodes.end());
         if (!links.insert(nodes).second)
-            refuse("link ", i, " joins the nodes ", nodes[0], " and ", nodes[1],
+            refuse("WetCloth: link ", i, " joins the nodes ", nodes[0], " and ", nodes[1],
                    ", as an earlier one does; it would be twice as stiff, remove the double");
     }
 }
@@ -120,20 +113,22 @@ void checkDuplicates(const RestShape& shape) {
 void checkShape(const RestShape& shape, const ClothMesh& mesh) {
     for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
         if (!(shape.triangleAreas[t] > 0))
-            refuse("face ", t, " has no area at rest; remove it from the body");
+            refuse("WetCloth: face ", t, " has no area at rest; remove it from the body");
         for (const Eigen::Vector2d& corner : mesh.coordinates[t])
-            if (!corner.allFinite()) refuse("the material coordinates of face ", t, " are not finite");
+            if (!corner.allFinite())
+                refuse("WetCloth: the material coordinates of face ", t, " are not finite; give metres");
         const double materialArea = triangleArea(mesh.coordinates[t]);
         if (materialArea < shape.triangleAreas[t] / 3 || materialArea > shape.triangleAreas[t] * 3)
-            refuse("face ", t, " has an area of ", shape.triangleAreas[t], " m2 at rest but ", materialArea,
+            refuse("WetCloth: face ", t, " has an area of ", sixDigits(shape.triangleAreas[t]),
+                   " m2 at rest but ", sixDigits(materialArea),
                    " m2 in material coordinates; for a sheet that is not flat give "
                    "SheetSettings::materialCoordinates, for one with seams faceCoordinates, in metres");
     }
     for (std::size_t i = 0; i < shape.links.size(); ++i) {
         const auto& nodes = shape.links[i].nodes;
         if (!(shape.restLengths[i] > 0) || !std::isfinite(shape.restLengths[i]))
-            refuse("link ", i, " between nodes ", nodes[0], " and ", nodes[1], " has a rest length of ",
-                   shape.restLengths[i], " m; remove it, or set its nodes apart");
+            refuse("WetCloth: link ", i, " between nodes ", nodes[0], " and ", nodes[1],
+                   " has a rest length of ", shape.restLengths[i], " m; remove it, or set its nodes apart");
     }
 }
 

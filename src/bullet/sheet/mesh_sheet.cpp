@@ -3,11 +3,11 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
-#include <string>
 
 #include "bullet/sheet/link_order.h"
 #include "bullet/sheet/node_masses.h"
 #include "bullet/world/vectors.h"
+#include "checks/checks.h"
 #include "cloth/mesh_edges.h"
 #include "drench/sheet.h"
 
@@ -65,10 +65,9 @@ void setMeshMasses(btSoftBody& body, double arealDensity) {
     writeClothMasses(body, arealDensity, [&](int face, btScalar inBullet) {
         const auto area = double(inBullet);
         if (!(area > 0) || !std::isfinite(btScalar(1 / (arealDensity * area))))
-            throw std::invalid_argument("drench: mesh: triangle " + std::to_string(face) +
-                                        " has an area of " + std::to_string(area) +
-                                        " m2 as Bullet sees it; set its nodes apart, move the mesh closer to "
-                                        "the origin, or scale it to metres");
+            refuse("mesh: triangle ", face, " has an area of ", sixDigits(area),
+                   " m2 as Bullet sees it; set its nodes apart, move the mesh closer to "
+                   "the origin, or scale it to metres");
     });
 }
 
@@ -109,8 +108,8 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
 void pin(btSoftBody& body, const std::vector<int>& nodes) {
     for (const int node : nodes)
         if (node < 0 || node >= body.m_nodes.size())
-            throw std::out_of_range("drench: pin: there is no node " + std::to_string(node) + " among " +
-                                    std::to_string(body.m_nodes.size()));
+            refuse<std::out_of_range>("pin: there is no node ", node, " among ", body.m_nodes.size(),
+                                      "; give 0 to ", body.m_nodes.size() - 1);
     for (const int node : nodes) body.m_nodes[node].m_im = 0;
 }
 

@@ -5,13 +5,12 @@
 #include <array>
 #include <cmath>
 #include <random>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "bullet/sheet/link_order.h"
 #include "bullet/sheet/node_masses.h"
 #include "bullet/world/vectors.h"
+#include "checks/checks.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -36,20 +35,17 @@ void check(const Fabric& fabric, const Corners& corners, const Grid& grid) {
     validate(fabric);
     for (const int count : {grid.nodesWarp, grid.nodesWeft})
         if (count < 2 || count > 10000)
-            throw std::invalid_argument("drench: makeSheet was asked for " + std::to_string(grid.nodesWarp) +
-                                        " x " + std::to_string(grid.nodesWeft) +
-                                        " nodes; give 2 to 10000 in each direction");
+            refuse("makeSheet was asked for ", grid.nodesWarp, " x ", grid.nodesWeft,
+                   " nodes; give 2 to 10000 in each direction");
     for (const btVector3* corner : {&corners.origin, &corners.warpEnd, &corners.weftEnd, &corners.opposite})
         for (int axis = 0; axis < 3; ++axis)
             if (!std::isfinite((*corner)[axis]))
-                throw std::invalid_argument(
-                    "drench: makeSheet was given a corner that is not finite; give positions in metres");
+                refuse("makeSheet was given a corner that is not finite; give positions in metres");
     const btVector3 warp = corners.warpEnd - corners.origin, weft = corners.weftEnd - corners.origin;
     if (warp.cross(weft).length() <= btScalar(1e-9))
-        throw std::invalid_argument(
-            "drench: makeSheet was given corners that enclose no area; warpEnd and weftEnd must lie in "
-            "different "
-            "directions from origin");
+        refuse(
+            "makeSheet was given corners that enclose no area; warpEnd and weftEnd must lie in "
+            "different directions from origin");
 }
 
 std::vector<btVector3> positionsOf(const Corners& c, const Grid& grid) {
@@ -138,10 +134,9 @@ void appendLinks(btSoftBody& body, const Grid& grid) {
 void setGridMasses(btSoftBody& body, double arealDensity) {
     writeClothMasses(body, btScalar(arealDensity), [](int face, btScalar area) {
         if (!(area > 0) || !std::isfinite(1 / area))
-            throw std::invalid_argument(
-                "drench: makeSheet was given corners between which face " + std::to_string(face) +
-                " has an area of " + std::to_string(area) +
-                " m2; set the corners apart, and closer to the origin than a million cells");
+            refuse("makeSheet was given corners between which face ", face, " has an area of ",
+                   sixDigits(double(area)),
+                   " m2; set the corners apart, and closer to the origin than a million cells");
     });
 }
 
@@ -180,9 +175,7 @@ std::vector<std::array<Eigen::Vector2d, 3>> wrappedCoordinates(const btSoftBody&
                                                                const btVector3& axis) {
     const Eigen::Vector3d along = toEigen(axis).normalized();
     if (!along.allFinite() || !(along.norm() > 0.5))
-        throw std::invalid_argument("drench: the axis that cloth is wrapped around is (" +
-                                    std::to_string(axis.x()) + ", " + std::to_string(axis.y()) + ", " +
-                                    std::to_string(axis.z()) + "); give a finite direction");
+        refuse("the axis that cloth is wrapped around is ", axis, "; give a finite direction");
     std::vector<std::array<Eigen::Vector2d, 3>> coordinates;
     for (int f = 0; f < body.m_faces.size(); ++f) {
         const btSoftBody::Face& face = body.m_faces[f];

@@ -6,8 +6,6 @@
 #include <LinearMath/btAabbUtil2.h>
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "bullet/contact/solids.h"
@@ -17,6 +15,7 @@
 #include "bullet/small_steps/soft_contacts.h"
 #include "bullet/world/body_watch.h"
 #include "bullet/world/stop_watch.h"
+#include "checks/checks.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -25,11 +24,9 @@ namespace {
 
 const SmallSteps& checked(const SmallSteps& settings) {
     if (settings.count < 0 || settings.count > 1000)
-        throw std::invalid_argument("drench: SmallSteps::count is " + std::to_string(settings.count) +
-                                    "; give 1 to 1000, or 0 to have it chosen");
+        refuse("SmallSteps::count is ", settings.count, "; give 1 to 1000, or 0 to have it chosen");
     if (!(settings.stretchTolerance >= 1e-5 && settings.stretchTolerance <= 1))
-        throw std::invalid_argument("drench: SmallSteps::stretchTolerance is " +
-                                    std::to_string(settings.stretchTolerance) + "; give 1e-5 to 1");
+        refuse("SmallSteps::stretchTolerance is ", settings.stretchTolerance, "; give 1e-5 to 1");
     return settings;
 }
 

@@ -1,5 +1,7 @@
 #include "bullet/state/bullet_pass.h"
 
+#include "checks/checks.h"
+
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
@@ -31,15 +33,15 @@ const btCollisionObject* BulletPass::readObject(Which which) {
     const auto& all = world_.getCollisionObjectArray();
     if (place == -1) return nullptr;
     if (place < 0 || place >= all.size())
-        throw std::runtime_error("drench: the snapshot's sheet touches object " + std::to_string(place) +
-                                 " of its world, and this world has " + std::to_string(all.size()) +
-                                 "; add the same objects in the same order");
+        refuse<std::runtime_error>("the snapshot's sheet touches object ", place,
+                                   " of its world, and this world has ", all.size(),
+                                   "; add the same objects in the same order");
     const bool isSoft = all[place]->getInternalType() == btCollisionObject::CO_SOFT_BODY;
     if (isSoft != (which == Which::soft))
-        throw std::runtime_error("drench: object " + std::to_string(place) + " of this world is " +
-                                 (isSoft ? "a soft body, where the snapshot's is none"
-                                         : "no soft body, where the snapshot's is one") +
-                                 "; add the same objects in the same order");
+        refuse<std::runtime_error>("object ", place, " of this world is ",
+                                   isSoft ? "a soft body, where the snapshot's is none"
+                                          : "no soft body, where the snapshot's is one",
+                                   "; add the same objects in the same order");
     return all[place];
 }
 

@@ -2,6 +2,7 @@
 
 #include "bullet/sheet/rest_shape.h"
 #include "bullet/state/body_state.h"
+#include "checks/checks.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -63,7 +64,7 @@ const btCollisionObject* ContactState::face(BulletPass& pass, Contact& contact) 
 
 void ContactState::touched(BulletPass& pass, btSoftBody::sCti& found) {
     found.m_colObj = pass.object(pass.saves() ? found.m_colObj : nullptr, Which::solid);
-    if (!found.m_colObj) throw std::runtime_error("drench: a saved contact is with nothing");
+    if (!found.m_colObj) refuse<std::runtime_error>("a saved contact is with nothing");
     pass.vector(found.m_normal);
     pass.number(found.m_offset);
 }

@@ -1,7 +1,6 @@
 // What a layer keeps from step to step, as a snapshot.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "bullet/layer/layer.h"
@@ -9,6 +8,7 @@
 #include "bullet/state/body_state.h"
 #include "bullet/state/bullet_pass.h"
 #include "bullet/state/snapshot_sections.h"
+#include "checks/checks.h"
 #include "state/checksum.h"
 #include "state/snapshot_bytes.h"
 
@@ -18,22 +18,20 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 namespace {
 
 template <typename... Parts>
-[[noreturn]] void refuse(const Parts&... parts) {
-    std::ostringstream message;
-    message << "drench: the snapshot is of another sheet: ";
-    (message << ... << parts);
-    throw std::runtime_error(message.str());
+[[noreturn]] void refuseSheet(const Parts&... parts) {
+    refuse<std::runtime_error>("the snapshot is of another sheet: ", parts...);
 }
 
 void checkSame(const char* what, std::uint64_t saved, std::uint64_t here) {
-    if (saved != here) refuse("it has ", saved, ' ', what, ", and this one has ", here);
+    if (saved != here) refuseSheet("it has ", saved, ' ', what, ", and this one has ", here);
 }
 
 /// Within what another compiler may make of the same body.
 void checkAlike(const char* what, std::size_t index, float saved, double here) {
     constexpr double rounding = 1e-5;
     if (!(std::abs(double(saved) - here) <= rounding * (1 + std::abs(here))))
-        refuse(what, ' ', index, " is at ", saved, " m there, and at ", here, " m here");
+        refuseSheet(what, ' ', index, " is at ", sixDigits(double(saved)), " m there, and at ",
+                    sixDigits(here), " m here");
 }
 
 }  // namespace
@@ -69,8 +67,8 @@ Snapshot WetCloth::Layer::snapshot() {
     try {
         checkSections(made);
     } catch (const std::runtime_error& problem) {
-        throw std::runtime_error("drench: no snapshot can be made of this sheet, which is not well: " +
-                                 std::string(problem.what()));
+        refuse<std::runtime_error>("no snapshot can be made of this sheet, which is not well: ",
+                                   reasonOf(problem));
     }
     return made;
 }
@@ -86,30 +84,27 @@ void WetCloth::Layer::restore(const Snapshot& snapshot) {
 
 void WetCloth::Layer::checkBetweenSteps() const {
     if (supplying)
-        throw std::logic_error(
-            "drench: within a step a sheet has no state to keep or restore; wait for its end");
+        refuse<std::logic_error>("within a step a sheet has no state to keep or restore; wait for its end");
     if (!watch.bodyIsAlive() || !body.getBroadphaseHandle() || !isInWorld())
-        throw std::logic_error(
-            "drench: the body is in no world, where its contacts had names; add it to the world of its "
-            "WetCloth "
-            "first");
+        refuse<std::logic_error>(
+            "the body is in no world, where its contacts had names; add it to the world of its "
+            "WetCloth first");
     if (!fits())
-        throw std::logic_error(
-            "drench: the body has got or lost nodes, links or faces since the last step; step once, so that "
-            "its "
-            "WetCloth can follow");
+        refuse<std::logic_error>(
+            "the body has got or lost nodes, links or faces since the last step; step once, so that "
+            "its WetCloth can follow");
 }
 
 void WetCloth::Layer::checkSameSheet(const Snapshot& snapshot) const {
     if (snapshot.precision() != sizeof(btScalar))
-        refuse("it comes from ", snapshot.precision() == 4 ? "single" : "double",
-               "-precision Bullet, and this library is for ", sizeof(btScalar) == 4 ? "single" : "double",
-               " precision");
+        refuseSheet("it comes from ", snapshot.precision() == 4 ? "single" : "double",
+                    "-precision Bullet, and this library is for ",
+                    sizeof(btScalar) == 4 ? "single" : "double", " precision");
     checkSame("nodes", snapshot.nodes(), static_cast<std::uint64_t>(body.m_nodes.size()));
     checkSame("links", snapshot.links(), static_cast<std::uint64_t>(body.m_links.size()));
     checkSame("faces", snapshot.faces(), static_cast<std::uint64_t>(body.m_faces.size()));
     if (snapshot.topology() != topologyHash())
-        refuse(
+        refuseSheet(
             "its links or faces join other nodes; build the body in the same way, and attach before links "
             "change");
 }
@@ -159,8 +154,8 @@ void WetCloth::Layer::clothState(BulletPass& pass) {
     for (const FabricParameter& parameter : fabricParameters()) {
         const double here = fabric.*parameter.member, saved = pass.value(here);
         if (saved != here)
-            refuse("the ", parameter.name, " of its fabric, ", name, ", is ", saved, ' ', parameter.unit,
-                   ", and that of this one's, ", fabric.name, ", is ", here);
+            refuseSheet("the ", parameter.name, " of its fabric, ", name, ", is ", saved, ' ', parameter.unit,
+                        ", and that of this one's, ", fabric.name, ", is ", here);
     }
     for (std::size_t i = 0; i < mechanics.shape.restLengths.size(); ++i) {
         const auto here = double(mechanics.shape.restLengths[i]);
@@ -174,8 +169,8 @@ void WetCloth::Layer::clothState(BulletPass& pass) {
 void WetCloth::Layer::bodyState(BulletPass& pass) {
     const bool isDeformableHere = deformable != nullptr;
     if (pass.value(isDeformableHere) != isDeformableHere)
-        refuse(isDeformableHere ? "it was in a soft-rigid world, and this one is in a deformable one"
-                                : "it was in a deformable world, and this one is in a soft-rigid one");
+        refuseSheet(isDeformableHere ? "it was in a soft-rigid world, and this one is in a deformable one"
+                                     : "it was in a deformable world, and this one is in a soft-rigid one");
     BodyState state(body, isDeformableHere);
     pass.part(state);
 }
@@ -259,8 +254,8 @@ void WetCloth::Layer::checkSources(StateReader reader) const {
     for (std::size_t i = 0; i < suppliers.size(); ++i) {
         const std::string saved = reader.readText(), here = suppliers[i].source->name();
         if (saved != here)
-            refuse("its source ", i, " is of the name ", saved, ", and this one's is ", here,
-                   "; add the same sources in the same order");
+            refuseSheet("its source ", i, " is of the name ", saved, ", and this one's is ", here,
+                        "; add the same sources in the same order");
         reader.readText();
         const std::string unnoticed = reader.readText();
         StateReader supply(unnoticed);

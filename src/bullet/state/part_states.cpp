@@ -1,6 +1,5 @@
 // What the parts of a layer keep from step to step.
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "bullet/bullet_solvers/stock_contacts.h"
@@ -12,6 +11,7 @@
 #include "bullet/small_steps/small_step_sheet.h"
 #include "bullet/state/bullet_pass.h"
 #include "bullet/world/limits.h"
+#include "checks/checks.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -55,8 +55,8 @@ void Grip::state(BulletPass& pass) {
 void SmallStepSheet::state(BulletPass& pass) {
     const std::size_t size = pass.count(end_.size(), count_);
     if (size != 0 && size != count_)
-        throw std::runtime_error("drench: a saved sheet has ended its last step with " +
-                                 std::to_string(size) + " of its " + std::to_string(count_) + " nodes");
+        refuse<std::runtime_error>("a saved sheet has ended its last step with ", size, " of its ", count_,
+                                   " nodes");
     if (pass.restores()) end_.resize(size);
     btVector3 unused(0, 0, 0);
     for (std::size_t n = 0; n < size; ++n) pass.vector(n < end_.size() ? end_[n] : unused);

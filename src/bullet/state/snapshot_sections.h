@@ -2,9 +2,9 @@
 #pragma once
 
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
+#include "checks/checks.h"
 #include "drench/state.h"
 
 namespace drench {
@@ -18,15 +18,14 @@ inline void writeSection(StateWriter& to, std::string_view name, const StateWrit
 
 inline StateReader readSection(StateReader& from, std::string_view name) {
     if (from.readBytes(name.size()) != name)
-        throw std::runtime_error("drench: the snapshot has no section " + std::string(name) +
-                                 " where it belongs");
+        refuse<std::runtime_error>("the snapshot has no section ", name, " where it belongs");
     return StateReader(from.readBytes(from.readCount(1)));
 }
 
 inline void checkEnd(const StateReader& section, std::string_view name) {
     if (section.left() > 0)
-        throw std::runtime_error("drench: the section " + std::string(name) + " of the snapshot has " +
-                                 std::to_string(section.left()) + " bytes too many");
+        refuse<std::runtime_error>("the section ", name, " of the snapshot has ", section.left(),
+                                   " bytes too many");
 }
 
 }  // namespace drench

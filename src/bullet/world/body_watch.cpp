@@ -2,7 +2,7 @@
 
 #include <BulletSoftBody/btSoftBodyInternals.h>
 
-#include <stdexcept>
+#include "checks/checks.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -59,8 +59,8 @@ void setShape(btSoftBody& body, btCollisionShape* shape) {
 BodyWatch::BodyWatch(btSoftBody& body, SheetMechanics& mechanics)
     : body_(body), alive_(std::make_shared<bool>(true)) {
     if (isWatched(body))
-        throw std::invalid_argument(
-            "drench: this soft body has a WetCloth already; use that one, or destroy it before making "
+        refuse(
+            "this soft body has a WetCloth already; use that one, or destroy it before making "
             "another");
     setShape(body, new WatchedShape(body, body.getCollisionShape(), alive_, mechanics));
 }

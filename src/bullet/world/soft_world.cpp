@@ -4,8 +4,7 @@
 #include <BulletSoftBody/btSoftMultiBodyDynamicsWorld.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
-#include <stdexcept>
-#include <string>
+#include "checks/checks.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -37,9 +36,9 @@ decltype(auto) withSoftWorld(btDiscreteDynamicsWorld& world, Use use) {
         case BT_DEFORMABLE_MULTIBODY_DYNAMICS_WORLD:
             return use(static_cast<btDeformableMultiBodyDynamicsWorld&>(world));
         default:
-            throw std::invalid_argument("drench: a world of type " + std::to_string(world.getWorldType()) +
-                                        " has no soft bodies; give a btSoftRigidDynamicsWorld, "
-                                        "btSoftMultiBodyDynamicsWorld or btDeformableMultiBodyDynamicsWorld");
+            refuse("a world of type ", static_cast<int>(world.getWorldType()),
+                   " has no soft bodies; give a btSoftRigidDynamicsWorld, "
+                   "btSoftMultiBodyDynamicsWorld or btDeformableMultiBodyDynamicsWorld");
     }
 }
 

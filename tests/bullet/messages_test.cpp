@@ -1,0 +1,132 @@
+// What is said of settings of sheets and solvers that are off, and of wind fields that throw.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "any_world.h"
+
+namespace drench::messages_test {
+namespace {
+
+using test::AnyWorld;
+using test::Mover;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+struct Value {
+    double value;
+    const char* text;
+};
+const Value wrong[] = {{-1e-7, "-1e-7"},       {-1, "-1"},
+                       {1e300, "1e300"},       {std::nan(""), "NaN"},
+                       {infinite, "infinity"}, {-infinite, "-infinity"}};
+
+std::string refusal(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const std::invalid_argument& problem) {
+        return problem.what();
+    }
+    ADD_FAILURE() << "not refused";
+    return "";
+}
+
+TEST(Messages, SettingsOfSheetsSayTheValueAndWhatToGive) {
+    AnyWorld rig(Mover::smallSteps);
+    rig.cloth().soak(0.1);
+    rig.run(2);
+    rig.clothOwner().reset();
+    for (const Value& each : wrong) {
+        const btScalar inverseMass = rig.sheet().m_nodes[40].m_im;
+        SheetSettings settings;
+        settings.waterSpeed = each.value;
+        EXPECT_EQ(refusal([&] { WetCloth(rig.world(), rig.sheet(), fabrics::cottonPlain(), settings); }),
+                  std::string("drench: SheetSettings::waterSpeed is ") + each.text +
+                      "; give a value from 0 to 100000");
+        EXPECT_EQ(rig.sheet().m_nodes[40].m_im, inverseMass);
+    }
+}
+
+TEST(Messages, SettersOfSheetsChangeNothing) {
+    AnyWorld rig(Mover::stock);
+    rig.cloth().soak(0.1);
+    const double pores = rig.cloth().moisture().totalPoreMass();
+    for (const Value& each : wrong) {
+        EXPECT_EQ(refusal([&] { rig.cloth().setWaterSpeed(each.value); }),
+                  std::string("drench: the water speed is ") + each.text + "; give a value from 0 to 100000");
+        EXPECT_EQ(refusal([&] { rig.cloth().soak(each.value); }),
+                  std::string("drench: soaking with ") + each.text + " kg/m2; give a value from 0 to 1000");
+        EXPECT_EQ(rig.cloth().moisture().totalPoreMass(), pores);
+    }
+}
+
+TEST(Messages, SettingsOfSmallSteps) {
+    const auto refusalOf = [](int count, double tolerance) {
+        SmallSteps settings;
+        settings.count = count;
+        settings.stretchTolerance = tolerance;
+        return refusal([&] { SmallStepSolver solver(settings); });
+    };
+    for (const Value& each : wrong)
+        EXPECT_EQ(refusalOf(0, each.value),
+                  std::string("drench: SmallSteps::stretchTolerance is ") + each.text + "; give 1e-5 to 1");
+    EXPECT_EQ(refusalOf(0, 1e-7), "drench: SmallSteps::stretchTolerance is 1e-7; give 1e-5 to 1");
+    EXPECT_EQ(refusalOf(-3, 0.01), "drench: SmallSteps::count is -3; give 1 to 1000, or 0 to have it chosen");
+}
+
+class ThrowingWind final : public WindField {
+  public:
+    Eigen::Vector3d velocity(const Eigen::Vector3d&, double) const override {
+        throw std::runtime_error("out of balloons");
+    }
+    double length() const override { return 1; }
+};
+
+class EndlessWind final : public WindField {
+  public:
+    Eigen::Vector3d velocity(const Eigen::Vector3d&, double) const override { return {0, infinite, 1e-7}; }
+    double length() const override { return infinite; }
+};
+
+TEST(Messages, TroubleOfAWindFieldNamesIt) {
+    AnyWorld rig(Mover::stock);
+    rig.cloth().air().field = std::make_shared<ThrowingWind>();
+    rig.run(1);
+    ASSERT_EQ(rig.cloth().troubles().size(), 1u);
+    EXPECT_EQ(rig.cloth().troubles()[0].what, Trouble::air);
+    EXPECT_EQ(rig.cloth().troubles()[0].message, "the wind field in WetCloth::air().field: out of balloons");
+
+    rig.cloth().clearTroubles();
+    rig.cloth().air().field = std::make_shared<EndlessWind>();
+    rig.run(1);
+    ASSERT_EQ(rig.cloth().troubles().size(), 1u);
+    const std::string message = rig.cloth().troubles()[0].message;
+    EXPECT_EQ(
+        message.rfind(
+            "the wind field in WetCloth::air().field has a velocity of (0, infinity, 1e-7) m/s at (", 0),
+        0u)
+        << message;
+}
+
+class ThrowingSource final : public Source {
+  public:
+    std::string name() const override { return "tap"; }
+    void supply(const SheetPose&, double dt, Supply&) override {
+        if (dt > 0) throw std::runtime_error("drench: the tap is stuck");
+    }
+};
+
+TEST(Messages, TroubleOfASourceNamesItWithoutThePrefix) {
+    AnyWorld rig(Mover::stock);
+    rig.cloth().add(std::make_unique<ThrowingSource>());
+    rig.run(1);
+    ASSERT_EQ(rig.cloth().troubles().size(), 1u);
+    EXPECT_EQ(rig.cloth().troubles()[0].message, "the source \"tap\": the tap is stuck");
+}
+
+}  // namespace
+}  // namespace drench::messages_test
