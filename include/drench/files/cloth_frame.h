@@ -18,14 +18,14 @@ struct ClothFrame {
     std::vector<std::array<int, 3>> triangles;  ///< node indices
     std::vector<Eigen::Vector3f> positions;     ///< m
     std::vector<Eigen::Vector3f>
-        normals;                     ///< unit vectors: area-weighted mean over the triangles; +y if that is 0
-    std::vector<double> masses;      ///< of cloth and water, kg
-    std::vector<double> poreMasses;  ///< pore water, kg
-    std::vector<double> filmMasses;  ///< film water, both faces together, kg
-    std::vector<double> filmThicknesses;   ///< of the film on one face, m
-    std::vector<double> contents;          ///< kg of water per kg of dry cloth
-    std::vector<float> saturations;        ///< pore water over pore capacity, 0 to 1
-    std::vector<float> glosses;            ///< share that is glossy like water, 0 to 1
+        normals;                          ///< unit vectors, area-weighted over the triangles; +y if undefined
+    std::vector<double> masses;           ///< of cloth and water, kg
+    std::vector<double> poreMasses;       ///< pore water, kg
+    std::vector<double> filmMasses;       ///< film water, both faces together, kg
+    std::vector<double> filmThicknesses;  ///< of the film on one face, m
+    std::vector<double> contents;         ///< kg of water per kg of dry cloth
+    std::vector<float> saturations;       ///< pore water over pore capacity, 0 to 1
+    std::vector<float> glosses;           ///< share that is glossy like water, 0 to 1
     std::vector<Eigen::Vector3f> colours;  ///< diffuse, linear RGB, 0 to 1
 };
 
