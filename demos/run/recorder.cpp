@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "checks/text.h"
 #include "state/whole_file.h"
 
 #ifndef _WIN32
