@@ -4,8 +4,7 @@
 
 namespace drench::demo {
 
-void FrameClock::begin(double interval) {
-    const Clock::time_point now = Clock::now();
+void FrameClock::begin(Clock::time_point now, double interval) {
     const auto wait = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(interval));
     due_ = std::max(due_, now - wait) + wait;
 

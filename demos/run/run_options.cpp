@@ -185,6 +185,7 @@ void addWindowOptions(CLI::App& app, RunOptions& run) {
     app.add_option("--speed", run.speed,
                    "in the window, simulated time over wall time, at most; 0: as fast as it can [1]")
         ->check(inRange(0, 1000));
+    app.add_flag("--paused", run.paused, "in the window, begin with the scene paused; space lets it go on");
     app.add_flag("--timings", run.timings,
                  "say on stderr when the window's first picture came, and how many a second");
     app.add_flag("--quit-at-end", run.quitAtEnd, "close the window when the scene has come to its end");

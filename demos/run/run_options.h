@@ -25,6 +25,7 @@ struct RunOptions {
     std::filesystem::path frames;  ///< folder for pictures; empty: none
     std::pair<int, int> windowSize{pictureWidth, pictureHeight};  ///< in screen coordinates
     double speed = 1;        ///< simulated time over wall time, in the window, at most; 0: as fast as it can
+    bool paused = false;     ///< the window's scene stands still until it is told to go on
     bool quitAtEnd = false;  ///< closes the window when the scene has come to its end
     std::filesystem::path record;  ///< film to make; empty: none
     std::filesystem::path

@@ -14,7 +14,8 @@ constexpr std::size_t mostKeepsakes = 3;
 
 }  // namespace
 
-Simulation::Simulation(SceneRequest request, const RunOptions& options) : options_(options) {
+Simulation::Simulation(SceneRequest request, const RunOptions& options, Now now)
+    : options_(options), now_(std::move(now)), paused_(options.paused), clock_(now_()) {
     orders_.request = std::move(request);
     orders_.view = options_.view;
     orders_.filmed = !options_.record.empty();  // from the first frame on
@@ -129,8 +130,9 @@ bool Simulation::waitForWork(std::unique_lock<std::mutex>& lock) {
         if (stop_) return false;
         if (orders_.request.make) return true;
         if (wantsFrame()) {
-            if (clock_.due() <= FrameClock::Clock::now()) return true;
-            news_.wait_until(lock, clock_.due());
+            const auto wait = clock_.due() - now_();
+            if (wait <= wait.zero()) return true;
+            news_.wait_for(lock, wait);
         } else {
             if (!orders_.commands.empty() && !standsStill_) return true;
             news_.wait(lock);
@@ -148,10 +150,10 @@ Simulation::Orders Simulation::takeOrders() {
     orders_.request = {};
     orders_.commands.clear();
     orders_.drawTime.reset();
-    taken.frame = !taken.request.make && wantsFrame() && clock_.due() <= FrameClock::Clock::now();
+    taken.frame = !taken.request.make && wantsFrame() && clock_.due() <= now_();
     if (!taken.frame) return taken;
     if (steps_ > 0) --steps_;
-    clock_.begin(speed_ > 0 ? Scene::frameTime / speed_ : 0);
+    clock_.begin(now_(), speed_ > 0 ? Scene::frameTime / speed_ : 0);
     return taken;
 }
 

@@ -37,11 +37,13 @@ struct Keepsake {
 class Simulation {
   public:
     using Command = std::function<void(Scene&)>;
+    using Now = std::function<FrameClock::Clock::time_point()>;
 
     /// Starts the thread.
     /// @param request  its scene is made on the thread
     /// @param options  what to write; the CSV comes at the end of each run, pictures by `takeKeepsakes`
-    Simulation(SceneRequest request, const RunOptions& options);
+    /// @param now  the wall time that frames keep to; called on the thread, too
+    Simulation(SceneRequest request, const RunOptions& options, Now now = FrameClock::Clock::now);
     /// Waits for the frame under way.
     ~Simulation();
     Simulation(const Simulation&) = delete;
@@ -57,7 +59,7 @@ class Simulation {
 
     /// Lets it stand still, or go on.
     void setPaused(bool paused);
-    /// Whether it stands still; default false.
+    /// Whether it stands still; default: as the options say.
     bool paused() const;
     /// Simulates one frame more, also while it stands still.
     void step();
@@ -104,12 +106,13 @@ class Simulation {
     void fail(const std::string& what);
 
     const RunOptions options_;
+    const Now now_;
 
     mutable std::mutex mutex_;  // of what follows, up to the thread's own
     std::condition_variable news_;
     Orders orders_;
     bool stop_ = false;
-    bool paused_ = false;
+    bool paused_;
     bool standsStill_ = true;  // before the first scene, and after trouble
     int steps_ = 0;            // to make in spite of a pause
     double speed_ = 1;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "body_fields.h"
 #include "deformable_rig.h"
 
 namespace drench::deformable_border_test {
@@ -176,15 +177,22 @@ TEST_P(SeveralSheets, TwoSheetsAndOneOfAnotherKind) {
 /// The three things whose order of ending is free. Each ends once.
 struct Ending {
     DeformableWorld bullet{Mode::explicitSteps};
-    std::unique_ptr<btSoftBody> body = test::hangingSheet(bullet.info(), constantStiffness(100), side, nodesAlongEdge);
+    std::unique_ptr<btSoftBody> body =
+        test::hangingSheet(bullet.info(), constantStiffness(100), side, nodesAlongEdge);
     std::unique_ptr<WetCloth> cloth;
+    std::vector<double> fields;
+    double water = 0;
 
     Ending() {
         bullet.add(*body);
+        body->updateConstants();  // as Bullet does in its next step
+        fields = test::changedFields(*body);
         cloth = std::make_unique<WetCloth>(bullet.world(), *body, constantStiffness(100));
         cloth->soak(0.1);
         step();
         EXPECT_EQ(bullet.wetForces(), 1);
+        EXPECT_NE(test::changedFields(*body), fields);
+        water = cloth->waterMass();
     }
     void step() { bullet.step(0.002, 5); }
     void removeBody() { bullet.world().removeSoftBody(body.get()); }
@@ -224,7 +232,11 @@ TEST(DeformableLifetime, WorldFirst) {
         Ending ending;
         ending.bullet.end();
         if (bodyBeforeCloth) ending.body.reset();
+        EXPECT_EQ(ending.cloth->waterMass(), ending.water);
         ending.cloth.reset();
+        if (!bodyBeforeCloth) {
+            EXPECT_EQ(test::changedFields(*ending.body), ending.fields);
+        }
     }
 }
 

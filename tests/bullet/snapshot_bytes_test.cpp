@@ -1,4 +1,4 @@
-// A snapshot that was made long ago, read by Drench and, independently, byte by byte as docs/snapshots.md says.
+// A snapshot that tests/tools/write_snapshot_bytes.cpp made long ago, read by Drench and, independently, byte by byte as docs/snapshots.md says.
 #include <drench/snapshot.h>
 #include <gtest/gtest.h>
 
@@ -14,9 +14,6 @@
 
 namespace drench::snapshot_bytes_test {
 namespace {
-
-using test::Mover;
-using test::WetScene;
 
 const std::string path = DRENCH_SOURCE_DIR "/tests/bullet/data/small.snapshot";
 
@@ -95,14 +92,6 @@ Fabric fabricOfFile() {
     return fabric;
 }
 
-/// 3 x 3 nodes, hung by two corners, wet, and two thirds of a second old.
-std::unique_ptr<WetScene> smallest(const Fabric& fabric) {
-    auto scene = std::make_unique<WetScene>(Mover::smallSteps);
-    auto sheet = test::hangingSheet(scene->world().worldInfo(), fabric, 0.2, 3);
-    scene->cover(scene->add(std::move(sheet)), fabric).soak(0.25);
-    return scene;
-}
-
 TEST(SnapshotBytes, AreReadAsEver) {
     const auto parts = sections();
     ASSERT_EQ(parts.size(), 8u);
@@ -118,7 +107,7 @@ TEST(SnapshotBytes, AreReadAsEver) {
 
 TEST(SnapshotBytes, AreRestoredAsEver) {
     if (sizeof(btScalar) != 4) GTEST_SKIP() << "the file is of single precision";
-    const auto scene = smallest(fabricOfFile());
+    const auto scene = test::smallestScene(fabricOfFile());
     const Snapshot old = readSnapshot(path);
     scene->cloth().restore(old);
     EXPECT_EQ(scene->cloth().snapshot().hash(), old.hash());
@@ -133,13 +122,6 @@ TEST(SnapshotBytes, AreRestoredAsEver) {
     }
     scene->step(5);
     EXPECT_TRUE(test::isFinite(scene->sheet()));
-}
-
-/// Makes the file anew, for a new format: run it by its name, and with --gtest_also_run_disabled_tests.
-TEST(SnapshotBytes, DISABLED_AreWrittenAnew) {
-    const auto scene = smallest(fabrics::cottonPlain());
-    scene->step(40);
-    writeSnapshot(path, scene->cloth().snapshot());
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ class WetScene {
 
     Mover mover() const { return mover_; }
     demo::SceneWorld& world() { return *world_; }
+    std::size_t size() const { return sheets_.size(); }
     btSoftBody& sheet(std::size_t i = 0) { return *sheets_[i]; }
     WetCloth& cloth(std::size_t i = 0) { return *cloths_[i]; }
 
@@ -127,6 +128,14 @@ inline std::unique_ptr<WetScene> twoSheets(Mover mover) {
         scene->cover(scene->add(std::move(sheet)), fabric).presoak(0.1);
     }
     scene->cloth(1).add(Touch(scene->cloth(0)));
+    return scene;
+}
+
+/// 3 x 3 nodes, hung by two corners, and wet.
+inline std::unique_ptr<WetScene> smallestScene(const Fabric& fabric) {
+    auto scene = std::make_unique<WetScene>(Mover::smallSteps);
+    auto sheet = hangingSheet(scene->world().worldInfo(), fabric, 0.2, 3);
+    scene->cover(scene->add(std::move(sheet)), fabric).soak(0.25);
     return scene;
 }
 

@@ -123,15 +123,20 @@ TEST(Pool, WetsWhatIsBelowItAndTakesBackWhatComesOutTooThick) {
         stage.add(test::hangingSheet(stage.bullet.world().getWorldInfo(), fabrics::cottonPlain(), 0.4, 21));
     cloth.add(Pool(-0.2));
     stage.bullet.step(10, 1000);
+    int below = 0, farAbove = 0;
     for (int n = 0; n < 441; ++n) {
         const double y = stage.bodies[0]->m_nodes[n].m_x.y();
         if (y < -0.21) {
+            ++below;
             EXPECT_GT(cloth.saturation(n), 0.95) << y;
         }
         if (y > -0.10) {
+            ++farAbove;
             EXPECT_LT(cloth.saturation(n), 0.01) << y;
         }
     }
+    EXPECT_GT(below, 4 * 21) << "rows of nodes";
+    EXPECT_GT(farAbove, 4 * 21);
     const double soaked = cloth.waterMass();
     EXPECT_NEAR(soaked, supplied(cloth, "pool") - cloth.ledger().returned, 1e-9);
     expectClosed(cloth);

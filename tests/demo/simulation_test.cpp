@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "description/scene_file.h"
 #include "scenes/described_scene.h"
@@ -41,9 +43,9 @@ SceneRequest request(const SceneDescription& description = hangingSheet()) {
             nullptr};
 }
 
-/// Waits up to ten seconds.
+/// Waits; ten minutes mean never.
 bool comesTrue(const std::function<bool()>& condition) {
-    const auto until = steady_clock::now() + std::chrono::seconds(10);
+    const auto until = steady_clock::now() + std::chrono::minutes(10);
     while (!condition()) {
         if (steady_clock::now() > until) return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -55,12 +57,42 @@ bool reaches(const Simulation& simulation, int frame) {
     return comesTrue([&] { return simulation.latest() && simulation.latest()->frame >= frame; });
 }
 
+/// A clock that goes on when told.
+class Clock {
+  public:
+    void advance(double seconds) { milliseconds_ += int(1000 * seconds); }
+    Simulation::Now now() {
+        return [this] { return FrameClock::Clock::time_point(std::chrono::milliseconds(milliseconds_)); };
+    }
+
+  private:
+    std::atomic<int> milliseconds_{0};
+};
+
+/// Has the simulation do something between frames, and waits until it is seen; it then has had its chance of a frame.
+void goRound(Simulation& simulation) {
+    const auto done = std::make_shared<std::atomic<bool>>(false);
+    simulation.post([done](Scene&) { *done = true; });
+    ASSERT_TRUE(comesTrue([&] { return done->load(); }));
+}
+
 TEST(Simulation, RunsByItselfNoFasterThanTheClock) {
-    const auto start = steady_clock::now();
-    Simulation simulation(request(), {});
-    ASSERT_TRUE(reaches(simulation, 30));
-    const double took = std::chrono::duration<double>(steady_clock::now() - start).count();
-    EXPECT_GT(took, 29 * Scene::frameTime);
+    Clock clock;
+    RunOptions options;
+    options.record = "film";  // hands over each frame
+    Simulation simulation(request(), options, clock.now());
+    int frames = 0;
+    const auto count = [&] { return frames += int(simulation.takeKeepsakes().size()); };
+    for (int frame = 1; frame <= 10; ++frame) {
+        ASSERT_TRUE(comesTrue([&] { return count() >= frame; }));
+        clock.advance(0.016);  // a little less than a frame
+        EXPECT_EQ(count(), frame);
+        clock.advance(0.001);
+    }
+    clock.advance(10);
+    ASSERT_TRUE(comesTrue([&] { return count() >= 12; }));
+    clock.advance(0.001);
+    EXPECT_LE(count(), 12) << "of what comes late one frame is made up for";
     const auto snapshot = simulation.latest();
     EXPECT_EQ(snapshot->scene, "hanging");
     EXPECT_EQ(snapshot->sheets.size(), 1u);
@@ -70,25 +102,41 @@ TEST(Simulation, RunsByItselfNoFasterThanTheClock) {
 }
 
 TEST(Simulation, RunsAsFastAsItCanWhenTold) {
-    const auto start = steady_clock::now();
-    Simulation simulation(request(), {});
+    Clock clock;
+    Simulation simulation(request(), {}, clock.now());
     simulation.setSpeed(0);
-    ASSERT_TRUE(reaches(simulation, 600));
-    EXPECT_LT(std::chrono::duration<double>(steady_clock::now() - start).count(), 5);
+    clock.advance(0.017);  // until the frame that was due at the speed before
+    EXPECT_TRUE(reaches(simulation, 100));
 }
 
 TEST(Simulation, StandsStillAndStepsOnce) {
     Simulation simulation(request(), {});
+    simulation.setSpeed(0);
     simulation.setPaused(true);
     ASSERT_TRUE(comesTrue([&] { return simulation.latest() != nullptr; }));
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    goRound(simulation);
     const int frame = simulation.latest()->frame;
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    for (int i = 0; i < 20; ++i) goRound(simulation);
     EXPECT_EQ(simulation.latest()->frame, frame);
     simulation.step();
-    EXPECT_TRUE(reaches(simulation, frame + 1));
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_TRUE(comesTrue([&] {
+        goRound(simulation);
+        return simulation.latest()->frame > frame;
+    }));
+    for (int i = 0; i < 20; ++i) goRound(simulation);
     EXPECT_EQ(simulation.latest()->frame, frame + 1);
+}
+
+TEST(Simulation, BeginsPausedWhenTheOptionsSaySo) {
+    RunOptions options;
+    options.paused = true;
+    Simulation simulation(request(), options);
+    ASSERT_TRUE(comesTrue([&] { return simulation.latest() != nullptr; }));
+    for (int i = 0; i < 20; ++i) goRound(simulation);
+    EXPECT_TRUE(simulation.paused());
+    EXPECT_EQ(simulation.latest()->frame, 0);
+    simulation.setPaused(false);
+    EXPECT_TRUE(reaches(simulation, 2));
 }
 
 TEST(Simulation, DoesWhatIsPostedInOrderAlsoWhileItStandsStill) {
@@ -201,18 +249,31 @@ TEST(Simulation, PlaysOnAfterTheEndOfTheScene) {
     EXPECT_NE(testing::internal::GetCapturedStdout(), "");
 }
 
+/// At any moment: nothing is done out of turn, and nothing once it has ended, and nothing of what it was given is kept.
 TEST(Simulation, EndsInTheMidstOfEverything) {
     for (int i = 0; i < 20; ++i) {
-        Simulation simulation(request(), {});
-        Pointer pointer;
-        pointer.pressed = true;
-        pointer.ray = {{0, 1, 3}, {0, 0, -1}};
-        simulation.setPointer(pointer);
-        for (int k = 0; k < i; ++k)
-            simulation.post([](Scene& scene) { scene.sheets()[0].cloth->soak(0.01); });
-        if (i % 3 == 0) simulation.setPaused(true);
-        if (i % 4 == 0) simulation.restart(request());
-        std::this_thread::sleep_for(std::chrono::milliseconds(i));
+        const auto done = std::make_shared<std::vector<int>>();
+        {
+            Simulation simulation(request(), {});
+            Pointer pointer;
+            pointer.pressed = true;
+            pointer.ray = {{0, 1, 3}, {0, 0, -1}};
+            simulation.setPointer(pointer);
+            if (i % 3 == 0) simulation.setPaused(true);
+            if (i % 4 == 0) simulation.restart(request());
+            for (int k = 0; k < i; ++k)
+                simulation.post([done, k](Scene& scene) {
+                    scene.sheets()[0].cloth->soak(0.01);
+                    done->push_back(k);
+                });
+            if (i % 2 == 0) goRound(simulation);
+            if (i % 5 == 0 && i % 3 != 0) {
+                EXPECT_TRUE(reaches(simulation, i));
+            }
+        }
+        EXPECT_EQ(done.use_count(), 1);
+        EXPECT_TRUE(i % 2 != 0 || int(done->size()) == i) << i;
+        for (std::size_t k = 0; k < done->size(); ++k) EXPECT_EQ((*done)[k], int(k)) << i;
     }
 }
 

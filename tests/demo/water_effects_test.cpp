@@ -225,13 +225,14 @@ TEST(WaterEffects, UnderARoofNothingFalls) {
     world->addBox({0, 2, 0}, {0.5, 0.05f, 0.5});
     WaterEffects effects(world->world());
     effects.rain(60, downwards, region(1.2, 3));
-    bool onRoof = false, inTheOpen = false;
+    bool aboveRoof = false, onRoof = false, inTheOpen = false;
     for (int frame = 0; frame < 240; ++frame) {
         effects.step(frameTime, Air());
         const viewer::Picture picture = pictureOf(effects);
         for (const viewer::Streak& streak : picture.streaks)
             if (std::abs(streak.from.x()) < 0.49f && std::abs(streak.from.z()) < 0.49f) {
                 ASSERT_GT(streak.from.y(), 2.04f);
+                aboveRoof = true;
             }
         for (const viewer::WetPatch& patch : picture.patches) {
             const bool below = std::abs(patch.centre.x()) < 0.49f && std::abs(patch.centre.z()) < 0.49f;
@@ -240,6 +241,7 @@ TEST(WaterEffects, UnderARoofNothingFalls) {
             inTheOpen = inTheOpen || !below;
         }
     }
+    EXPECT_TRUE(aboveRoof);
     EXPECT_TRUE(onRoof);
     EXPECT_TRUE(inTheOpen);
 }
@@ -271,6 +273,7 @@ TEST(WaterEffects, SheetsAndPoolsStopTheRain) {
         }
     }
     EXPECT_TRUE(above);
+    EXPECT_FALSE(pictureOf(effects).patches.empty());
     for (const viewer::WetPatch& patch : pictureOf(effects).patches) EXPECT_LT(patch.centre.x(), 0.6f);
 }
 

@@ -1,6 +1,7 @@
 # shellcheck shell=bash disable=SC2034,SC2154
 # Sourced by the tests of the window: a program on a virtual display of its own, its keys and its pictures. Many of these
-# tests may run side by side. The caller has set `program` and `probe`.
+# tests may run side by side, on a machine that is as busy as it likes: they wait for what they look for, and count frames
+# and pictures instead of seconds. The caller has set `program` and `probe`.
 
 folder=$(mktemp -d)
 child=
@@ -18,13 +19,20 @@ open_display() {
   unset WAYLAND_DISPLAY
 }
 
-# open_window ARGUMENT...: starts the program and waits for its window.
+# open_window ARGUMENT...: starts the program, and waits until its window has the keys.
 open_window() {
   (cd "$folder" && exec "$program" "$@" >"$folder/stdout" 2>"$folder/stderr") &
   child=$!
-  wait_for 60 xdotool search --all --pid "$child" --name 'Drench: ' || fail "no window came up"
+  stepped=0
+  wait_for "no window came up" xdotool search --all --pid "$child" --name 'Drench: '
   window=$(xdotool search --all --pid "$child" --name 'Drench: ' | head -1)
-  xdotool windowfocus --sync "$window" 2>/dev/null
+  wait_for "the window takes no keys" focus "$window"
+}
+
+# focus WINDOW: gives it the keys; fails while it cannot take them.
+focus() {
+  xdotool windowfocus "$1"
+  [ "$(xdotool getwindowfocus -f)" = "$1" ]
 }
 
 fail() {
@@ -33,58 +41,84 @@ fail() {
   exit 1
 }
 
-# wait_for SECONDS COMMAND...: until the command succeeds.
+# wait_for WORDS COMMAND...: until the command succeeds; fails with the words if it never does, which takes 20 minutes to
+# say so.
 wait_for() {
-  local tries=$(($1 * 10))
+  local words=$1 tries=12000
   shift
   while ! "$@" >/dev/null 2>&1; do
     kill -0 "$child" 2>/dev/null || fail "the program ended by itself"
-    [ $((tries -= 1)) -gt 0 ] || return 1
+    [ $((tries -= 1)) -gt 0 ] || fail "$words"
     sleep 0.1
   done
 }
 
-# picture: presses F12 until one picture more is there, whose name is then in `shot`; a loaded machine may lose a key.
+# press KEY...: as fingers do, since GLFW takes a key that is down again within 20 ms for one that was never up.
+press() { xdotool key --delay 60 "$@"; }
+
+# send KEY...: to the window itself, also where it has not got the focus. There, GLFW heeds only keys that were never
+# pressed.
+send() { xdotool key --window "$window" --delay 1 "$@"; }
+
+# wrote FILE: whether the program says that it has written that file of the folder.
+wrote() { grep -q "^wrote .*/$1\$" "$folder/stderr"; }
+
+# picture: has F12 write one more, whose name is then in `shot`.
 picture() {
-  local number=1 try
+  local number=1
   while [ -e "$folder/screenshot-$number.png" ]; do number=$((number + 1)); done
+  press F12
+  wait_for "F12 wrote no picture" wrote "screenshot-$number.png"
   shot=$folder/screenshot-$number.png
-  for try in 1 2 3 4; do
-    xdotool key F12
-    wait_for 10 test -s "$shot" && return 0
-  done
-  fail "F12 wrote no picture"
 }
 
-# still_picture: pictures until two in a row are the same, which is then in `shot`: what was asked for has taken effect.
-still_picture() {
-  local before try
+# settle: two more pictures. Between them the program has drawn a whole one with all keys and the mouse as they are now.
+settle() {
   picture
-  for try in 1 2 3 4 5 6; do
-    before=$shot
-    picture
-    [ "$("$probe" differ "$before" "$shot")" = 0.000 ] && return 0
-  done
-  fail "the picture does not come to rest"
+  picture
 }
 
-# another_picture BEFORE LEAST WORDS: pictures until one differs that much from the one before; fails with the words
-# where none does.
-another_picture() {
-  local difference try
-  for try in 1 2 3 4 5 6; do
-    picture
-    difference=$("$probe" differ "$1" "$shot")
-    awk -v a="$difference" -v b="$2" 'BEGIN { exit !(a >= b) }' && return 0
-    sleep 0.3
-  done
-  fail "$3: $difference, wanted at least $2"
+# round: waits until the program has worked for a second of its own, in which it draws many pictures, where it takes no F12.
+round() {
+  worked=$(work)
+  wait_for "the program does nothing" has_worked
+}
+work() { awk '{ print $14 + $15 }' "/proc/$child/stat"; }
+has_worked() { [ $(($(work) - worked)) -ge 100 ]; }
+
+# steps COUNT [KEY]: so many frames of a scene that stands still, a multiple of ten; waits until they are simulated. For
+# windows with --frames . --every 10, but for frames whose pictures the scene gives names of its own.
+steps() {
+  local i keys=()
+  for ((i = 0; i < $1; i++)); do keys+=("${2:-period}"); done
+  stepped=$((stepped + $1))
+  send "${keys[@]}"
+  wait_for "frame $stepped never came" wrote "$(printf 'frame-%06d.png' $stepped)"
 }
 
-# hide_panel: so that the mouse, from the next picture on, is over the scene.
+# compared COMPARISON FILE LIMIT WORDS: pictures until awk finds their difference from that file, `d`, so; fails with the
+# words if none of fifty is.
+compared() {
+  local try difference
+  for ((try = 0; try < 50; try++)); do
+    picture
+    difference=$("$probe" differ "$2" "$shot")
+    awk -v d="$difference" -v limit="$3" "BEGIN { exit !($1) }" && return 0
+    sleep 0.1
+  done
+  fail "$4: they differ by $difference"
+}
+
+# another_picture FILE LEAST WORDS: waits for one that differs that much from the file.
+another_picture() { compared 'd >= limit' "$@"; }
+
+# same_picture FILE WORDS: waits for one that is equal to the file.
+same_picture() { compared 'd == limit' "$1" 0 "$2"; }
+
+# hide_panel: so that the mouse is over the scene.
 hide_panel() {
-  xdotool key Tab
-  sleep 0.7
+  press Tab
+  settle
 }
 
 # at_least NUMBER NUMBER WORDS: fails with the words where the first is less than the second.
@@ -92,18 +126,15 @@ at_least() {
   awk -v a="$1" -v b="$2" 'BEGIN { exit !(a >= b) }' || fail "$3: $1, wanted at least $2"
 }
 
-# close_window: presses Escape until the program has ended, which must be well.
-close_window() {
-  local try status
-  for try in $(seq 10); do
-    xdotool key Escape 2>/dev/null
-    for _ in $(seq 20); do
-      kill -0 "$child" 2>/dev/null || break 2
-      sleep 0.1
-    done
-  done
-  kill -0 "$child" 2>/dev/null && fail "Escape did not close the window"
+# ended: waits for the program, which must end well by itself.
+ended() {
   wait "$child"
-  status=$?
+  local status=$?
   [ $status -eq 0 ] || fail "exit status $status"
+}
+
+# close_window: Escape must end the program, and that well.
+close_window() {
+  press Escape
+  ended
 }

@@ -148,13 +148,14 @@ TEST(MeshFile, NamesTheFile) {
     EXPECT_NE(why("off.obj").find("off.obj: line 1"), std::string::npos);
 }
 
-/// Text that is mutilated at random is read or refused, and nothing else happens.
+/// Text that is mutilated at random is read as a mesh, or refused with its line or what it lacks; nothing else happens.
 TEST(MeshFile, StandsAnyText) {
     const std::string whole = tube(6, 3, 0.2, 0.5);
     std::mt19937 random(7);
+    int read = 0, refused = 0;
     for (int trial = 0; trial < 300; ++trial) {
         std::string text = whole;
-        for (int i = 0; i < 3; ++i) {
+        for (int i = 0; i <= trial % 3; ++i) {
             const std::size_t at = random() % text.size();
             switch (random() % 4) {
                 case 0:
@@ -173,10 +174,19 @@ TEST(MeshFile, StandsAnyText) {
         MeshReading reading;
         reading.texture = trial % 2 == 0;
         try {
-            validate(meshFromText(text, reading).mesh);
-        } catch (const std::invalid_argument&) {
+            const TriangleMesh mesh = meshFromText(text, reading).mesh;
+            EXPECT_NO_THROW(validate(mesh)) << text;
+            EXPECT_GT(areaOf(mesh), 0) << text;
+            ++read;
+        } catch (const std::invalid_argument& problem) {
+            const std::string why = problem.what();
+            EXPECT_TRUE(why.find("line ") != std::string::npos || why.find("faces") != std::string::npos)
+                << why;
+            ++refused;
         }
     }
+    EXPECT_GT(read, 10);
+    EXPECT_GT(refused, 60);
 }
 
 /// A mesh of a grid becomes what makeSheet makes of a grid, but for the links of bending.

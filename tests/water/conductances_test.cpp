@@ -133,16 +133,19 @@ TEST(Conductances, ALinearFieldLeavesNothingInsideTheSheet) {
 
 TEST(Conductances, ALinearFieldHasTheEnergyOfTheWholeArea) {
     // Not where the weave makes angles at the border obtuse: see the test below.
+    int compared = 0;
     for (const auto& [name, patch] : patches())
         for (const Weave& weave : weaves) {
             const bool rightAngled = name == "grid" || name == "tube" || name == "irregular inside";
             const bool isotropicGrid = name == "grid, weave at 37 degrees" && weave.warp == weave.weft;
             if (!rightAngled && !isotropicGrid) continue;
+            ++compared;
             const Eigen::Vector3d found = energy(patch, weave.warp, weave.weft);
             EXPECT_NEAR(found.x(), 1, 1e-9) << name << ", " << weave.warp << " to " << weave.weft;
             EXPECT_NEAR(found.y(), 1, 1e-9) << name << ", " << weave.warp << " to " << weave.weft;
             EXPECT_NEAR(found.z(), 0, 1e-9) << name << ", " << weave.warp << " to " << weave.weft;
         }
+    EXPECT_EQ(compared, 3 * 4 + 1) << "three patches in four weaves, and one in one";
 }
 
 // Sum of cotangents at each side of the mesh as it is drawn, and how many triangles have that side.

@@ -20,6 +20,7 @@ std::string refusalOf(const Fabric& fabric) {
 
 TEST(Fabric, PresetsAreValidAndSayWhereTheirNumbersComeFrom) {
     ASSERT_EQ(fabrics::names().size(), 9u);
+    int measured = 0;
     for (const std::string& name : fabrics::names()) {
         const Fabric fabric = fabrics::byName(name);
         EXPECT_EQ(refusalOf(fabric), "") << name;
@@ -28,9 +29,11 @@ TEST(Fabric, PresetsAreValidAndSayWhereTheirNumbersComeFrom) {
             EXPECT_NE(quantity.provenance, Provenance::given) << name << ' ' << parameter.name;
             if (quantity.provenance == Provenance::measured) {
                 EXPECT_NE(quantity.source, "") << name << ' ' << parameter.name;
+                ++measured;
             }
         }
     }
+    EXPECT_GT(measured, 9);
 }
 
 TEST(Fabric, CottonHasThePorosityOfItsConstruction) {

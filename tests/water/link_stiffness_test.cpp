@@ -67,18 +67,26 @@ Fabric unequal() {
 TEST(LinkStiffness, AGridWithCrossedDiagonalsHasTheStiffnessOfItsFabric) {
     const Grid g = grid(3, 0.02);
     const auto stiffness = linkStiffness(unequal(), flatMesh(g.coordinates, g.triangles), g.links);
+    int warp = 0, weft = 0, diagonal = 0;
     for (std::size_t i = 0; i < g.links.size(); ++i) {
         const Eigen::Vector2d from = g.coordinates[std::size_t(g.links[i].nodes[0])];
         const Eigen::Vector2d along = g.coordinates[std::size_t(g.links[i].nodes[1])] - from;
         const auto onBorder = [](double x) { return x < 1e-9 || x > 0.04 - 1e-9; };
         EXPECT_EQ(stiffness[i].kind, LinkKind::stretch);
-        if (std::abs(along.y()) < 1e-12)
+        if (std::abs(along.y()) < 1e-12) {
+            ++warp;
             EXPECT_NEAR(stiffness[i].dry, (1500 - 60) * (onBorder(from.y()) ? 0.5 : 1), 1e-6);
-        else if (std::abs(along.x()) < 1e-12)
+        } else if (std::abs(along.x()) < 1e-12) {
+            ++weft;
             EXPECT_NEAR(stiffness[i].dry, (700 - 60) * (onBorder(from.x()) ? 0.5 : 1), 1e-6);
-        else
+        } else {
+            ++diagonal;
             EXPECT_NEAR(stiffness[i].dry, 60, 1e-6);
+        }
     }
+    EXPECT_EQ(warp, 6);
+    EXPECT_EQ(weft, 6);
+    EXPECT_EQ(diagonal, 8);
 }
 
 TEST(LinkStiffness, AUniformStrainCostsWhatItCostsTheFabric) {
