@@ -1,7 +1,7 @@
 // Sheets as the viewer wants them.
 #pragma once
 
-#include <drench/precision.h>
+#include <drench/config.h>
 
 #include <optional>
 #include <vector>

@@ -8,7 +8,7 @@
 
 #include "bullet/contact/grip.h"
 #include "bullet/sheet/face_projection.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

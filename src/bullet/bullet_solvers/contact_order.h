@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

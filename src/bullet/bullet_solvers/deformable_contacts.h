@@ -9,7 +9,7 @@
 #include "bullet/bullet_solvers/contact_order.h"
 #include "bullet/bullet_solvers/met_solids.h"
 #include "bullet/contact/grip.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

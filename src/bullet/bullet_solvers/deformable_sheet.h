@@ -11,7 +11,7 @@
 #include "bullet/bullet_solvers/wet_spring_force.h"
 #include "bullet/sheet/sheet_mechanics.h"
 #include "bullet/world/soft_world.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -4,7 +4,7 @@
 #include <BulletSoftBody/btSoftBody.h>
 
 #include "bullet/sheet/sheet_mechanics.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -8,7 +8,7 @@
 
 #include "bullet/contact/grip.h"
 #include "bullet/contact/solid_distance.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -10,7 +10,7 @@
 #include "bullet/bullet_solvers/met_solids.h"
 #include "bullet/contact/grip.h"
 #include "bullet/contact/solids.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

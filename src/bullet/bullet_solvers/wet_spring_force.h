@@ -8,7 +8,7 @@
 
 #include "bullet/sheet/sheet_mechanics.h"
 #include "cloth/plate_bending.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "drench/precision.h"
+#include "drench/config.h"
 
 class btSoftBody;
 

@@ -3,7 +3,7 @@
 
 #include <LinearMath/btVector3.h>
 
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "drench/cloth_mesh.h"
+#include "drench/config.h"
 #include "drench/fabric.h"
 #include "drench/moisture.h"
-#include "drench/precision.h"
 #include "drench/surface.h"
 #include "drench/wet_laws.h"
 

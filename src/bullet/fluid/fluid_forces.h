@@ -9,9 +9,9 @@
 #include "bullet/packed/fluid_kernels.h"
 #include "bullet/sheet/pose.h"
 #include "bullet/sheet/sheet_mechanics.h"
+#include "drench/config.h"
 #include "drench/fabric.h"
 #include "drench/moisture.h"
-#include "drench/precision.h"
 #include "drench/wet_laws.h"
 
 namespace drench {

@@ -3,7 +3,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 
-#include "drench/precision.h"
+#include "drench/config.h"
 #include "drench/source.h"
 
 namespace drench {

@@ -8,7 +8,7 @@
 
 #include "bullet/packed/nodes.h"
 #include "bullet/world/vectors.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

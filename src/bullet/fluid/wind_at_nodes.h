@@ -12,7 +12,7 @@
 #include "bullet/sheet/pose.h"
 #include "drench/air.h"
 #include "drench/cloth_mesh.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

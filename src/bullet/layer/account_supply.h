@@ -8,8 +8,8 @@
 #include "bullet/fluid/submersion.h"
 #include "bullet/sheet/node_masses.h"
 #include "bullet/world/body_watch.h"
+#include "drench/config.h"
 #include "drench/moisture.h"
-#include "drench/precision.h"
 #include "drench/source.h"
 
 namespace drench {

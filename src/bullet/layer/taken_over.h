@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bullet/sheet/sheet_mechanics.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

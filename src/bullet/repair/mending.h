@@ -7,7 +7,7 @@
 
 #include "bullet/repair/troubles.h"
 #include "bullet/sheet/rest_shape.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

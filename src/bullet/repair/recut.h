@@ -7,8 +7,8 @@
 
 #include "bullet/sheet/rest_shape.h"
 #include "drench/cloth_mesh.h"
+#include "drench/config.h"
 #include "drench/moisture.h"
-#include "drench/precision.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "bullet/sheet/rest_shape.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

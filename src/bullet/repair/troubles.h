@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "drench/config.h"
 #include "drench/health.h"
-#include "drench/precision.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

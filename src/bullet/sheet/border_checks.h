@@ -6,7 +6,7 @@
 
 #include "bullet/sheet/rest_shape.h"
 #include "drench/cloth_mesh.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

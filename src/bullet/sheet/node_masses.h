@@ -8,7 +8,7 @@
 
 #include "bullet/sheet/rest_shape.h"
 #include "cloth/mesh_edges.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

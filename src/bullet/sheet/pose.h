@@ -9,7 +9,7 @@
 #include "bullet/packed/nodes.h"
 #include "bullet/world/vectors.h"
 #include "drench/cloth_mesh.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cloth/link_stiffness.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -8,10 +8,10 @@
 #include "bullet/sheet/rest_shape.h"
 #include "cloth/link_stiffness.h"
 #include "drench/cloth_mesh.h"
+#include "drench/config.h"
 #include "drench/fabric.h"
 #include "drench/health.h"
 #include "drench/moisture.h"
-#include "drench/precision.h"
 #include "drench/wet_laws.h"
 
 namespace drench {

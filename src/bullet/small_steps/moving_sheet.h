@@ -5,7 +5,7 @@
 #include "bullet/small_steps/small_step_sheet.h"
 #include "bullet/small_steps/solid_contacts.h"
 #include "bullet/small_steps/tethers.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

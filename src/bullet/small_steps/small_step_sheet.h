@@ -9,7 +9,7 @@
 #include "bullet/packed/small_step_kernels.h"
 #include "bullet/sheet/sheet_mechanics.h"
 #include "bullet/world/vectors.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

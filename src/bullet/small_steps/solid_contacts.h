@@ -10,7 +10,7 @@
 #include "bullet/contact/grip.h"
 #include "bullet/contact/solids.h"
 #include "bullet/small_steps/small_step_sheet.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "drench/precision.h"
+#include "drench/config.h"
 #include "state/state_pass.h"
 
 namespace drench {

@@ -1,7 +1,7 @@
 // What a sheet may have at most; beyond that single precision, and Bullet's trees, come to no good.
 #pragma once
 
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "bullet/packed/nodes.h"
-#include "drench/precision.h"
+#include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {

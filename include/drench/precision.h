@@ -1,4 +1,0 @@
-// For config.h.
-#pragma once
-
-#include "drench/config.h"
