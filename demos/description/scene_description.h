@@ -38,7 +38,7 @@ struct SolverDescription {
     SolverKind solver = SolverKind::smallStep;  ///< in the soft-rigid world
     int smallSteps = 0;                         ///< of a frame; 0: as many as the cloth needs
     /// Most substeps of a frame with the stock solver; 0: as many as show the stiffness of the sheets.
-    int mostSubsteps = 0;
+    int maxSubsteps = 0;
     int iterations = 1;  ///< sweeps of the stock solver in each substep
 };
 

@@ -37,7 +37,7 @@ void exchangeWeather(Fields& fields, Weather& weather) {
     fields.number("temperature", weather.temperature, {0, 60});
     fields.number("humidity", weather.humidity, {0, 0.999});
     fields.number("windSpeed", weather.windSpeed, {0, 100});
-    fields.vector("windDirection", weather.windDirection, directions, leastDirection);
+    fields.vector("windDirection", weather.windDirection, directions, minDirection);
     fields.number("gusts", weather.gusts, shares);
     fields.number("gustLength", weather.gustLength, {0.01, 1000});
     fields.number("shelterLength", weather.shelterLength, {0, 1000});
@@ -50,7 +50,7 @@ void exchangeSolver(Fields& fields, SolverDescription& solver) {
     fields.choice("world", solver.world, worldNames);
     fields.choice("solver", solver.solver, solverNames);
     fields.whole("smallSteps", solver.smallSteps, 0, 1000);
-    fields.whole("mostSubsteps", solver.mostSubsteps, 0, 1000);
+    fields.whole("mostSubsteps", solver.maxSubsteps, 0, 1000);
     fields.whole("iterations", solver.iterations, 1, 1000);
 }
 
@@ -95,7 +95,7 @@ void exchangeTurn(FieldReader& fields, Eigen::Quaterniond& turn) {
     fields.object("turn", [&](FieldReader& inner) {
         Eigen::Vector3d axis(0, 1, 0);
         double around = 0;
-        inner.vector("axis", axis, directions, leastDirection);
+        inner.vector("axis", axis, directions, minDirection);
         angle(inner, "degrees", around, {-3600, 3600});
         turn = Eigen::AngleAxisd(around, axis.normalized());
     });
@@ -158,7 +158,7 @@ void exchangeSolid(Fields& fields, SolidDescription& solid) {
 template <typename Fields>
 void exchangeWater(Fields& fields, SprayDescription& spray) {
     fields.vector("origin", spray.origin, places);
-    fields.vector("direction", spray.direction, directions, leastDirection);
+    fields.vector("direction", spray.direction, directions, minDirection);
     angle(fields, "halfAngle", spray.halfAngle, {0.6, 85});
     fields.number("rate", spray.rate, {0, 1000});
     fields.number("speed", spray.speed, {0, 100});
@@ -239,7 +239,7 @@ void checkNames(const FieldReader& fields, const std::string& list, const Entrie
 void checkWhole(const FieldReader& fields, const SceneDescription& scene) {
     double nodes = 0;
     for (const SheetDescription& sheet : scene.sheets) nodes += double(sheet.nodes[0]) * sheet.nodes[1];
-    if (nodes > mostNodes) fields.refuse("sheets", "have ", nodes, " nodes in all; give at most 250000");
+    if (nodes > maxNodes) fields.refuse("sheets", "have ", nodes, " nodes in all; give at most 250000");
     checkNames(fields, "sheets", scene.sheets);
     checkNames(fields, "solids", scene.solids);
     checkNames(fields, "sources", scene.sources);
@@ -266,7 +266,7 @@ void exchangeScene(Fields& fields, SceneDescription& scene) {
     fields.object("solver", [&](Fields& inner) { exchangeSolver(inner, scene.solver); });
     fields.object("weather", [&](Fields& inner) { exchangeWeather(inner, scene.weather); });
     fields.object("camera", [&](Fields& inner) { exchangeCamera(inner, scene.camera); });
-    fields.vector("sun", scene.sun, directions, leastDirection);
+    fields.vector("sun", scene.sun, directions, minDirection);
     fields.list("sheets", scene.sheets,
                 [](Fields& inner, SheetDescription& sheet) { exchangeSheet(inner, sheet); });
     fields.list("solids", scene.solids,

@@ -22,8 +22,8 @@ inline constexpr Range places{-1e4, 1e4};      // m
 inline constexpr Range directions{-1e6, 1e6};  // of vectors whose length does not count
 inline constexpr Range shares{0, 1};
 inline constexpr Range speeds{-1e3, 1e3};  // m/s
-inline constexpr double leastDirection = 1e-6;
-inline constexpr double mostNodes = 2.5e5;  // of all sheets together
+inline constexpr double minDirection = 1e-6;
+inline constexpr double maxNodes = 2.5e5;  // of all sheets together
 
 /// Without the digits that a single-precision number only seems to have.
 inline double widened(float value) {

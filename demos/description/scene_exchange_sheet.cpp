@@ -89,7 +89,7 @@ void exchangeNodes(FieldReader& fields, std::array<int, 2>& nodes) {
         if (number != std::floor(number)) fields.refuse("nodes", "must be two whole numbers");
         nodes[i] = static_cast<int>(number);
     }
-    if (double(nodes[0]) * nodes[1] > mostNodes)
+    if (double(nodes[0]) * nodes[1] > maxNodes)
         fields.refuse("nodes", "are ", nodes[0], " x ", nodes[1], "; give at most 250000 in all");
 }
 
@@ -126,8 +126,8 @@ void exchangeState(Fields& fields, SheetDescription& sheet) {
 
 /// Warp and weft must leave a sheet between them.
 void checkSides(const FieldReader& fields, const SheetDescription& sheet) {
-    constexpr double leastSine = 0.05;
-    if (sheet.warp.cross(sheet.weft).norm() < leastSine * sheet.warp.norm() * sheet.weft.norm())
+    constexpr double minSine = 0.05;
+    if (sheet.warp.cross(sheet.weft).norm() < minSine * sheet.warp.norm() * sheet.weft.norm())
         fields.refuse("weft", "runs along the warp; give vectors with an angle between them");
 }
 void checkSides(const FieldWriter&, const SheetDescription&) {}
@@ -135,12 +135,12 @@ void checkSides(const FieldWriter&, const SheetDescription&) {}
 template <typename Fields>
 void exchangeAll(Fields& fields, SheetDescription& sheet) {
     constexpr Range sides{-1e3, 1e3};  // m
-    constexpr double leastSide = 1e-3;
+    constexpr double minEdgeLength = 1e-3;
     fields.name("name", sheet.name);
     exchangeFabric(fields, sheet.fabric);
     fields.vector("corner", sheet.corner, places);
-    fields.vector("warp", sheet.warp, sides, leastSide);
-    fields.vector("weft", sheet.weft, sides, leastSide);
+    fields.vector("warp", sheet.warp, sides, minEdgeLength);
+    fields.vector("weft", sheet.weft, sides, minEdgeLength);
     checkSides(fields, sheet);
     exchangeNodes(fields, sheet.nodes);
     exchangePins(fields, sheet);

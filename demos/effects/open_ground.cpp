@@ -10,7 +10,7 @@ void OpenGround::rain(double massPerArea, const Eigen::AlignedBox3d& followed) {
     followed_ = followed;
     // Each drop covers less than its water does in one layer, some of it where others have been.
     covered_ += (1 - covered_) * std::min(withinOutline * massPerArea / WetPlaces::layer, 1.0);
-    massPerArea_ = std::min(massPerArea_ + massPerArea, WetPlaces::mostLayers * WetPlaces::layer * covered_);
+    massPerArea_ = std::min(massPerArea_ + massPerArea, WetPlaces::maxLayers * WetPlaces::layer * covered_);
 }
 
 void OpenGround::dry(double massPerArea) {

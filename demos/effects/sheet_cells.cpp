@@ -9,7 +9,7 @@ namespace drench::demo {
 
 namespace {
 
-constexpr int mostCellsAlong = 96;
+constexpr int maxCellsAlong = 96;
 
 double meanLinkLength(const btSoftBody& sheet) {
     double sum = 0;
@@ -25,7 +25,7 @@ SheetCells::SheetCells(const btSoftBody& sheet) {
         box_.setEmpty();
         return;
     }
-    size_ = std::max({meanLinkLength(sheet), 0.005, box_.sizes().maxCoeff() / mostCellsAlong});
+    size_ = std::max({meanLinkLength(sheet), 0.005, box_.sizes().maxCoeff() / maxCellsAlong});
     box_.min().array() -= size_ / 2;
     box_.max().array() += size_ / 2;
     cells_ = (box_.sizes() / size_).array().ceil().cast<int>().max(1);

@@ -26,7 +26,7 @@ constexpr double farDown = 100;             // m, that rain falls below its regi
 constexpr double shelterAbove = 30;         // m, up to which a roof over the region keeps the rain off
 constexpr double sprayLife = 1.5;           // s
 constexpr double finestDrop = 0.6e-3;       // m, up to which a drop of a spray is no more than a streak
-constexpr std::int64_t mostTogether = 4;
+constexpr std::int64_t maxTogether = 4;
 constexpr double dropsPerSecond = 1500;  // that stand for the water of a nozzle
 constexpr double patchLength = 0.5;      // m, of a wet place along the air, for its drying
 
@@ -102,7 +102,7 @@ void WaterEffects::follow(const FallingDrops& drops) {
             continue;
         }
         // Drops that fall together come one behind the other, as a thread of water does.
-        const auto together = std::min<std::int64_t>(flight.count, mostTogether);
+        const auto together = std::min<std::int64_t>(flight.count, maxTogether);
         for (std::int64_t i = 0; i < together && falling_.size() < limits_.drops; ++i)
             falling_.push_back(seen(flight.position - frame * double(i) / double(together) * flight.velocity,
                                     flight.velocity, dropRadius(flight.mass)));

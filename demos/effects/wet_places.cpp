@@ -30,21 +30,21 @@ double WetPlaces::wetnessOf(double massPerArea) {
     return std::min(1.0, massPerArea / (darkUntil * layer));
 }
 
-WetPlaces::WetPlaces(std::size_t most) : most_(most) {
-    if (most < 1) refuse("there is room for ", most, " wet places; give at least 1");
+WetPlaces::WetPlaces(std::size_t max) : max_(max) {
+    if (max < 1) refuse("there is room for ", max, " wet places; give at least 1");
 }
 
 /// The place on a body whose middle is nearest, if that is within so many of its radii or within `reach`, m.
 WetPlaces::Place* WetPlaces::nearest(const btCollisionObject& body, const Eigen::Vector3d& inBody,
                                      double perRadius, double reach) {
     Place* found = nullptr;
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (Place& place : places_) {
         if (place.body != &body) continue;
         const double away2 = (place.inBody - inBody).squaredNorm();
         const double near2 = std::max(perRadius * perRadius * place.area / pi, reach * reach);
-        if (away2 >= std::min(least, near2)) continue;
-        least = away2;
+        if (away2 >= std::min(min, near2)) continue;
+        min = away2;
         found = &place;
     }
     return found;
@@ -54,23 +54,23 @@ void WetPlaces::wet(const btCollisionObject& body, const Eigen::Vector3d& place,
     if (!(mass > 0)) return;
     const Eigen::Vector3d inBody = toEigen(body.getWorldTransform().invXform(toBullet(place)));
     // The less room there is for other places, the farther water goes to join one.
-    const double room = 1 - double(places_.size()) / double(most_);
+    const double room = 1 - double(places_.size()) / double(max_);
     const double reach = largestRadius * std::pow(std::clamp(1 - 2 * room, 0.0, 1.0), 2);
     if (Place* const old = nearest(body, inBody, runsTogether, reach)) {
         old->inBody += (inBody - old->inBody) * mass / (old->mass + mass);
         old->mass += mass;
         old->area = std::max(old->area, areaFor(old->mass));
-        old->mass = std::min(old->mass, mostLayers * layer * old->area);
+        old->mass = std::min(old->mass, maxLayers * layer * old->area);
         return;
     }
-    if (places_.size() >= most_) {
+    if (places_.size() >= max_) {
         const auto driest = std::min_element(
             places_.begin(), places_.end(),
             [](const Place& a, const Place& b) { return a.mass * b.area < b.mass * a.area; });
         places_.erase(driest);
     }
     const double area = areaFor(mass);
-    places_.push_back({&body, inBody, std::min(mass, mostLayers * layer * area), area, outline});
+    places_.push_back({&body, inBody, std::min(mass, maxLayers * layer * area), area, outline});
 }
 
 void WetPlaces::dry(double massPerArea) {

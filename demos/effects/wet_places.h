@@ -17,7 +17,7 @@ class WetPlaces {
     /// Water that a body holds before it spreads or runs off, kg/m2: a layer of 0.15 mm (assumed).
     static constexpr double layer = 0.15;
     /// Of these, beyond which water runs off.
-    static constexpr double mostLayers = 2;
+    static constexpr double maxLayers = 2;
     /// m; a place that is this large only gets wetter.
     static constexpr double largestRadius = 0.15;
 
@@ -26,7 +26,7 @@ class WetPlaces {
 
     /// @param most  at one time, at least 1; when there are more the driest go
     /// @throws std::invalid_argument for none
-    explicit WetPlaces(std::size_t most);
+    explicit WetPlaces(std::size_t max);
 
     /// Puts water on a body: into a place that is there already, or into a new one.
     /// @param place    in the world, m
@@ -54,7 +54,7 @@ class WetPlaces {
     Place* nearest(const btCollisionObject& body, const Eigen::Vector3d& inBody, double perRadius,
                    double reach);
 
-    std::size_t most_;
+    std::size_t max_;
     std::vector<Place> places_;
 };
 

@@ -11,13 +11,13 @@ namespace {
 constexpr double holdReach = 0.05;     // m, around the point that was picked
 constexpr double fastest = 6;          // m/s, of the hand
 constexpr double fastestReleased = 3;  // m/s
-constexpr double mostStrain = 0.2;     // of links that leave the hold
+constexpr double maxStrain = 0.2;      // of links that leave the hold
 constexpr double clearance = 0.015;    // m, from solids
 constexpr double followingFrames = 2;  // in which the hand would reach a pointer that stands still
 
-btVector3 limited(const btVector3& v, double most) {
+btVector3 limited(const btVector3& v, double max) {
     const double length = double(v.length());
-    return length > most ? v * btScalar(most / length) : v;
+    return length > max ? v * btScalar(max / length) : v;
 }
 
 }  // namespace
@@ -95,9 +95,9 @@ void Grasp::follow(const Pointer& pointer, double frameTime) {
     const btVector3 way = target(pointer) - centre_;
     btVector3 velocity = limited(way / btScalar(followingFrames * frameTime), fastest);
     const Pull by = pull();
-    const double slack = (mostStrain - by.strain) * by.length / frameTime;
+    const double slack = (maxStrain - by.strain) * by.length / frameTime;
     // No faster than the cloth around follows and can still be stretched.
-    velocity = by.following + limited(velocity - by.following, mostStrain * by.length / frameTime);
+    velocity = by.following + limited(velocity - by.following, maxStrain * by.length / frameTime);
     const btScalar away = -velocity.dot(by.towards);
     if (double(away) > slack) velocity += by.towards * btScalar(double(away) - slack);
     velocity_ = limited(keptFromSolids(velocity, frameTime), fastest);

@@ -8,11 +8,11 @@
 namespace drench::demo {
 
 Flutter::Flutter(double interval, double window)
-    : interval_(interval), most_(std::size_t(std::lround(window / interval))) {}
+    : interval_(interval), max_(std::size_t(std::lround(window / interval))) {}
 
 void Flutter::note(double value) {
     values_.push_back(value);
-    if (values_.size() > most_) values_.pop_front();
+    if (values_.size() > max_) values_.pop_front();
 }
 
 double Flutter::mean() const {

@@ -23,7 +23,7 @@ class Flutter {
 
   private:
     double interval_;
-    std::size_t most_;
+    std::size_t max_;
     std::deque<double> values_;
 };
 

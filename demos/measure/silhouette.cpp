@@ -115,10 +115,10 @@ int countLobes(const std::vector<double>& radii, double prominence) {
     return lobes;
 }
 
-int dominantOrder(const std::vector<double>& radii, int most) {
+int dominantOrder(const std::vector<double>& radii, int max) {
     int dominant = 1;
     double largest = 0;
-    for (int order = 1; order <= most; ++order) {
+    for (int order = 1; order <= max; ++order) {
         std::complex<double> sum = 0;
         for (std::size_t i = 0; i < radii.size(); ++i)
             sum += std::polar(radii[i], -2 * pi * order * double(i) / double(radii.size()));

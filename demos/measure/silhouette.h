@@ -41,6 +41,6 @@ class Silhouette {
 int countLobes(const std::vector<double>& radii, double prominence);
 
 /// How many waves a closed curve has mostly, 1 to `most`: the order of its largest Fourier component.
-int dominantOrder(const std::vector<double>& radii, int most);
+int dominantOrder(const std::vector<double>& radii, int max);
 
 }  // namespace drench::demo

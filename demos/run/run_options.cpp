@@ -24,12 +24,12 @@ std::vector<std::string> sceneNames() {
 }
 
 /// CLI11's own range check lets "nan" through.
-CLI::Validator inRange(double least, double most) {
-    const std::string range = textOf(least, " to ", most);
+CLI::Validator inRange(double min, double max) {
+    const std::string range = textOf(min, " to ", max);
     return CLI::Validator(
         [=](const std::string& text) -> std::string {
             double value = 0;
-            if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return "";
+            if (CLI::detail::lexical_cast(text, value) && value >= min && value <= max) return "";
             return "give a number from " + range + ", not '" + text + "'";
         },
         "FLOAT, " + range);

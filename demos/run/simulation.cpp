@@ -10,7 +10,7 @@ namespace drench::demo {
 namespace {
 
 /// With so many frames waiting to be drawn the simulation waits too.
-constexpr std::size_t mostKeepsakes = 3;
+constexpr std::size_t maxKeepsakes = 3;
 
 }  // namespace
 
@@ -141,7 +141,7 @@ bool Simulation::waitForWork(std::unique_lock<std::mutex>& lock) {
 }
 
 bool Simulation::wantsFrame() const {
-    return !standsStill_ && (steps_ > 0 || !paused_) && keepsakes_.size() < mostKeepsakes;
+    return !standsStill_ && (steps_ > 0 || !paused_) && keepsakes_.size() < maxKeepsakes;
 }
 
 /// What lasts, as where the mouse is, stays behind.

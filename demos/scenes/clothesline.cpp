@@ -33,8 +33,8 @@ class Clothesline final : public StagedScene {
 
     // Drying is measured between these shares of what the sheet holds when it has stopped dripping.
     static constexpr double measuredFrom = 0.9, measuredTo = 0.4;
-    static constexpr double mostDryNodes = 0.05;  // share of the sheet; beyond it drying slows down
-    static constexpr double dripsOver = 0.95;     // of all that drips, after which dripping counts as over
+    static constexpr double maxDryNodes = 0.05;  // share of the sheet; beyond it drying slows down
+    static constexpr double dripsOver = 0.95;    // of all that drips, after which dripping counts as over
 
     static constexpr double gramsAndHours = 1e3 * 3600;  // kg/s in g/h
 
@@ -97,7 +97,7 @@ class Clothesline final : public StagedScene {
                 << " mg each; " << std::setprecision(1) << 1e3 * samples_.back().caught
                 << " g fell on the sheet again";
         out << ".\n"
-            << stage().world().stepsName() << ": at most " << mostSteps_
+            << stage().world().stepsName() << ": at most " << maxSteps_
             << ". Fabric: " << cloth().fabric().name << ".\n";
         out << std::defaultfloat;
     }
@@ -126,7 +126,7 @@ class Clothesline final : public StagedScene {
     }
 
     void measure() override {
-        mostSteps_ = std::max(mostSteps_, stage().stepsOfFrame());
+        maxSteps_ = std::max(maxSteps_, stage().stepsOfFrame());
         noteDrops();
         note();
         dry_ = inBalance();
@@ -256,7 +256,7 @@ class Clothesline final : public StagedScene {
         while (i < samples_.size() && contentOf(samples_[i]) > measuredFrom * start) ++i;
         std::size_t last = i;
         while (last < samples_.size() && contentOf(samples_[last]) > measuredTo * start &&
-               samples_[last].dryNodes < mostDryNodes)
+               samples_[last].dryNodes < maxDryNodes)
             ++last;
         if (last >= samples_.size() || last <= i) return std::nullopt;
         const double perTime = gramsAndHours / (double(last - i) * frameTime * cloth().waterSpeed()) / area();
@@ -303,7 +303,7 @@ class Clothesline final : public StagedScene {
     bool wholeLength_;       // nobody asked for it to end early
     double balance_;         // content in balance with the air, kg/kg
     std::vector<int> pegs_;  // columns in which they sit
-    int mostSteps_ = 0;
+    int maxSteps_ = 0;
     bool dry_ = false;
     std::vector<Sample> samples_;
     double lightestDrop_;  // kg

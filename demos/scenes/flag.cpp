@@ -26,7 +26,7 @@ class Flag final : public StagedScene {
     static constexpr double measuredFor = 8;  // s, the last of the run
     static constexpr double swingOut =
         0.02;  // m, by which a flag is out of the wind's own plane at the start
-    static constexpr double mostStretch =
+    static constexpr double maxStretch =
         0.2;  // of a single thread, at the upper end of the hoist when the flag cracks
     static constexpr double slower = 0.85;  // the wet flag's frequency over the dry one's, at most
     static constexpr double lower = 2;      // degrees that the wet flag hangs lower, at least
@@ -137,7 +137,7 @@ class Flag final : public StagedScene {
             list.push_back(textOf("the wet flag stands out by ", sixDigits(wet.meanFromHanging()),
                                   " degrees, the dry one by ", sixDigits(dry.meanFromHanging())));
         for (const auto& side : sides_)
-            if (isCotton && !(side->largestStretch() < mostStretch))
+            if (isCotton && !(side->largestStretch() < maxStretch))
                 list.push_back(textOf("a thread of the ", side->cloth().name(), " flag was stretched by ",
                                       sixDigits(100 * side->largestStretch()), " %"));
     }

@@ -190,9 +190,9 @@ class Wick final : public StagedScene {
                 list.push_back(textOf("after ", point.minutes, " min the front is at ", sixDigits(height),
                                       " m instead of ", sixDigits(point.height), " m"));
         }
-        constexpr double leastDetermination = 0.99;
+        constexpr double minDetermination = 0.99;
         const auto washburn = fit();
-        if (washburn && !(washburn->determination > leastDetermination))
+        if (washburn && !(washburn->determination > minDetermination))
             list.push_back(textOf("the square of the height does not grow with time: R2 is ",
                                   sixDigits(washburn->determination)));
         if (!washburn && waterMinutes() > 5) list.emplace_back("the front has not risen enough for a fit");
@@ -238,8 +238,8 @@ class Wick final : public StagedScene {
             meanTime += times.back();
             meanSquare += squares.back();
         }
-        constexpr double leastRise = 2 * fitFrom;
-        if (times.size() < 10 || squares.back() < leastRise * leastRise) return std::nullopt;
+        constexpr double minRise = 2 * fitFrom;
+        if (times.size() < 10 || squares.back() < minRise * minRise) return std::nullopt;
         meanTime /= double(times.size());
         meanSquare /= double(times.size());
         double timeTime = 0, timeSquare = 0, squareSquare = 0;

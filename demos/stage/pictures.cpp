@@ -51,10 +51,10 @@ std::vector<float> strains(const btSoftBody& body) {
 
 /// Content of full pores, at most, kg/kg.
 float mostAbsorbent(const std::vector<const WetCloth*>& cloths) {
-    double most = 0;
+    double max = 0;
     for (const WetCloth* const cloth : cloths)
-        most = std::max(most, cloth->fabric().poreCapacity() / cloth->fabric().arealDensity);
-    return most > 0 ? float(most) : 1;
+        max = std::max(max, cloth->fabric().poreCapacity() / cloth->fabric().arealDensity);
+    return max > 0 ? float(max) : 1;
 }
 
 }  // namespace

@@ -80,9 +80,9 @@ SceneCloth::~SceneCloth() {
 void SceneCloth::makeUneven(unsigned randomSeed) {
     if (!(description_.unevenness > 0)) return;
     const btVector3 normal = normalOf(description_);
-    const auto most = float(description_.unevenness);
+    const auto max = float(description_.unevenness);
     std::mt19937 random(randomSeed);
-    std::uniform_real_distribution<float> offset(-most, most);
+    std::uniform_real_distribution<float> offset(-max, max);
     for (int n = 0; n < body_->m_nodes.size(); ++n)
         body_->m_nodes[n].m_x += normal * btScalar(offset(random));
 }

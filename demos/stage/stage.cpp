@@ -125,8 +125,8 @@ double Stage::stepBound() const {
 void Stage::chooseSubsteps(double frameTime) {
     const double bound = stepBound();
     const int inner = std::max(1, int(std::ceil(frameTime / (std::sqrt(2.0) * bound))));
-    const int most = description_.solver.mostSubsteps;
-    substeps_ = world_->substepsFor(frameTime, bound, most > 0 ? most : inner);
+    const int max = description_.solver.maxSubsteps;
+    substeps_ = world_->substepsFor(frameTime, bound, max > 0 ? max : inner);
 }
 
 void Stage::step(double frameTime) {

@@ -25,8 +25,8 @@ Eigen::AlignedBox3d showerOf(const SceneDescription& scene) {
 
 /// Share of the sun's light that passes the clouds of such rain, mm/h (assumed).
 double sunshineIn(double rain) {
-    constexpr double least = 0.24, half = 8;
-    return least + (1 - least) * std::exp2(-rain / half);
+    constexpr double min = 0.24, half = 8;
+    return min + (1 - min) * std::exp2(-rain / half);
 }
 
 }  // namespace

@@ -57,9 +57,9 @@ bool pickFabric(PanelState& state) {
 }
 
 /// @return whether the user has let go of another value than there was
-bool pickCount(const char* name, int& value, int least, int most, const char* noneName) {
-    ImGui::SliderInt(name, &value, 0, most, value == 0 ? noneName : "%d", ImGuiSliderFlags_AlwaysClamp);
-    if (value > 0) value = std::max(value, least);
+bool pickCount(const char* name, int& value, int min, int max, const char* noneName) {
+    ImGui::SliderInt(name, &value, 0, max, value == 0 ? noneName : "%d", ImGuiSliderFlags_AlwaysClamp);
+    if (value > 0) value = std::max(value, min);
     return ImGui::IsItemDeactivatedAfterEdit();
 }
 
@@ -126,9 +126,9 @@ bool showSceneGroup(const FrameState& now, PanelState& state, Simulation& simula
 }
 
 /// A slider for one value of the weather of all stages.
-void changeWeather(const char* name, Weather& shown, double Weather::*value, double least, double most,
+void changeWeather(const char* name, Weather& shown, double Weather::*value, double min, double max,
                    const char* format, Simulation& simulation) {
-    if (!ImGui::SliderScalar(name, ImGuiDataType_Double, &(shown.*value), &least, &most, format,
+    if (!ImGui::SliderScalar(name, ImGuiDataType_Double, &(shown.*value), &min, &max, format,
                              ImGuiSliderFlags_AlwaysClamp))
         return;
     simulation.post([value, wanted = shown.*value](Scene& scene) {
@@ -318,9 +318,9 @@ bool Panel::show(const FrameState& now, PanelState& state, Simulation& simulatio
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float letter = ImGui::GetFontSize();
     const float top = 7 * letter, margin = 0.8f * letter, width = 23 * letter;
-    const ImVec2 least(width, 0), most(width, std::max(8 * letter, screen.y - top - margin));
+    const ImVec2 min(width, 0), max(width, std::max(8 * letter, screen.y - top - margin));
     ImGui::SetNextWindowPos({margin, top}, ImGuiCond_Once);
-    ImGui::SetNextWindowSizeConstraints(least, most);
+    ImGui::SetNextWindowSizeConstraints(min, max);
     if (ImGui::Begin("drench", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::PushItemWidth(10.5f * letter);
         restart |= showSceneGroup(now, state, simulation);
@@ -334,7 +334,7 @@ bool Panel::show(const FrameState& now, PanelState& state, Simulation& simulatio
     ImGui::End();
 
     ImGui::SetNextWindowPos({screen.x - margin, top}, ImGuiCond_Always, {1, 0});
-    ImGui::SetNextWindowSizeConstraints(least, most);
+    ImGui::SetNextWindowSizeConstraints(min, max);
     if (ImGui::Begin("readings", nullptr, ImGuiWindowFlags_AlwaysAutoResize))
         readings_.show(now, state.notice);
     ImGui::End();

@@ -15,16 +15,16 @@ ImU32 packed(const std::array<float, 3>& colour) {
 
 }  // namespace
 
-StackedPlot::StackedPlot(std::vector<Layer> layers, std::size_t mostSamples, std::string unit,
+StackedPlot::StackedPlot(std::vector<Layer> layers, std::size_t maxSamples, std::string unit,
                          std::string format)
     : layers_(std::move(layers)),
-      mostSamples_(mostSamples),
+      maxSamples_(maxSamples),
       unit_(std::move(unit)),
       format_(std::move(format)) {}
 
 void StackedPlot::add(const std::vector<double>& values) {
     samples_.push_back(values);
-    if (samples_.size() > mostSamples_) samples_.pop_front();
+    if (samples_.size() > maxSamples_) samples_.pop_front();
 }
 
 double StackedPlot::largestSum() const {
@@ -47,7 +47,7 @@ void StackedPlot::draw(float height, std::size_t averaged) const {
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     canvas.AddRectFilled(corner, {corner.x + width, corner.y + height}, IM_COL32(0, 0, 0, 90));
     const double top = std::max(largestSum(), 1e-12);
-    const float step = width / float(mostSamples_ - 1);
+    const float step = width / float(maxSamples_ - 1);
     const float right = corner.x + width, bottom = corner.y + height;
     for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
         const float x = right - step * float(samples_.size() - 1 - i);

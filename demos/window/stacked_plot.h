@@ -19,7 +19,7 @@ class StackedPlot {
 
     /// @param unit    after the numbers
     /// @param format  of the numbers, for printf
-    StackedPlot(std::vector<Layer> layers, std::size_t mostSamples, std::string unit, std::string format);
+    StackedPlot(std::vector<Layer> layers, std::size_t maxSamples, std::string unit, std::string format);
 
     /// Adds a value of each layer, at least 0; the oldest goes once there are enough.
     void add(const std::vector<double>& values);
@@ -34,7 +34,7 @@ class StackedPlot {
     double mean(std::size_t layer, std::size_t averaged) const;
 
     std::vector<Layer> layers_;
-    std::size_t mostSamples_;
+    std::size_t maxSamples_;
     std::string unit_;
     std::string format_;
     std::deque<std::vector<double>> samples_;

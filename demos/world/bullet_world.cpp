@@ -13,8 +13,8 @@ BulletWorld::BulletWorld(btSoftBodySolver* solver)
     world_.getWorldInfo().m_gravity = gravity;  // soft bodies have their own
 }
 
-int BulletWorld::substepsFor(double frameTime, double stepBound, int most) const {
-    return std::clamp(int(std::ceil(frameTime / stepBound)), 1, most);
+int BulletWorld::substepsFor(double frameTime, double stepBound, int max) const {
+    return std::clamp(int(std::ceil(frameTime / stepBound)), 1, max);
 }
 
 void BulletWorld::damp(btSoftBody& sheet, double rate, double substep) const {

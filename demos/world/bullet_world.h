@@ -20,7 +20,7 @@ class BulletWorld : public SceneWorld {
     void addSoftBody(btSoftBody& body) override { world_.addSoftBody(&body); }
     void removeSoftBody(btSoftBody& body) override { world_.removeSoftBody(&body); }
 
-    int substepsFor(double frameTime, double stepBound, int most) const override;
+    int substepsFor(double frameTime, double stepBound, int max) const override;
     void damp(btSoftBody& sheet, double rate, double substep) const override;
     std::string stepsName() const override;
 

@@ -28,7 +28,7 @@ class DeformableWorld final : public SceneWorld {
     void removeSoftBody(btSoftBody& body) override { world_->removeSoftBody(&body); }
 
     /// As many as the bound asks for, also beyond `most`: with fewer the sheet blows up.
-    int substepsFor(double frameTime, double stepBound, int most) const override;
+    int substepsFor(double frameTime, double stepBound, int max) const override;
     void damp(btSoftBody& sheet, double rate, double substep) const override;
     std::string stepsName() const override;
 

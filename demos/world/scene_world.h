@@ -27,7 +27,7 @@ class SceneWorld {
 
     /// Substeps that a frame needs for sheets with this step bound (WetCloth::stepBound), s; `most` where fewer
     /// would only make links softer.
-    virtual int substepsFor(double frameTime, double stepBound, int most) const = 0;
+    virtual int substepsFor(double frameTime, double stepBound, int max) const = 0;
     /// Has a sheet lose its velocity at a rate, 1/s, in substeps of so many seconds.
     virtual void damp(btSoftBody& sheet, double rate, double substep) const = 0;
     /// Small steps that the solver made of the last substep; 0 where it makes none.

@@ -25,7 +25,7 @@ class DRENCH_API Rain final : public Source {
     Eigen::Vector3d velocity = {0, -6.5, 0};
     double shelterHeight = 30;  ///< length of the ray that finds a roof, m; 0 to 1000; default 30
     double dropMass = 4.2e-6;   ///< kg; 1e-8 to 1e-4; default 4.2e-6, a drop of 2 mm
-    int mostDrops = 500;  ///< largest number per step, beyond which drops get heavier; 1 to 1e6; default 500
+    int maxDrops = 500;  ///< largest number per step, beyond which drops get heavier; 1 to 1e6; default 500
 
     /// @param initialIntensity  first value of `intensity`
     /// @param seed              of the random numbers

@@ -97,7 +97,7 @@ void checkParameter(const Fabric& fabric, const FabricParameter& parameter) {
 
 // Least bound maximum over regain. A little below it, at 1.54, more than one isotherm of the kind that drying uses
 // passes through both, and below 1.3 none does.
-constexpr double leastBoundOverRegain = 1.6;
+constexpr double minBoundOverRegain = 1.6;
 
 }  // namespace
 
@@ -111,9 +111,9 @@ void validate(const Fabric& fabric) {
                      " m and fibreDensity ", fabric.fibreDensity, " kg/m3 leave a porosity of ",
                      sixDigits(porosity),
                      "; it must lie between 0.01 and 0.999, so mend the thickness or the areal density");
-    if (fabric.boundMaximum < leastBoundOverRegain * fabric.regain)
+    if (fabric.boundMaximum < minBoundOverRegain * fabric.regain)
         refuseFabric(fabric, "boundMaximum is ", fabric.boundMaximum, " kg/kg and regain ", fabric.regain,
-                     " kg/kg; boundMaximum must be at least ", leastBoundOverRegain,
+                     " kg/kg; boundMaximum must be at least ", minBoundOverRegain,
                      " times regain, so raise boundMaximum or lower regain");
     if (fabric.shear >= fabric.stretchWarp || fabric.shear >= fabric.stretchWeft)
         refuseFabric(fabric, "shear is ", fabric.shear,

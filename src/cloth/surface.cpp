@@ -27,8 +27,8 @@ Surface surfaceOf(const Fabric& fabric, SurfaceKind kind) {
         return {fabric.skinFrictionDry, fabric.skinFrictionDamp, fabric.skinFrictionSoaked};
     const Surface plate = {fabric.plateFrictionDry, fabric.plateFrictionDamp, fabric.plateFrictionSoaked};
     if (kind == SurfaceKind::plate) return plate;
-    constexpr double catching = 2, touchingShare = 1.0 / 3, most = 5;
-    const double dry = std::min(most, std::max(catching * plate.frictionDry, plate.frictionDamp));
+    constexpr double catching = 2, touchingShare = 1.0 / 3, max = 5;
+    const double dry = std::min(max, std::max(catching * plate.frictionDry, plate.frictionDamp));
     return {dry, std::max(dry, plate.frictionDamp), between(plate.frictionDamp, plate.frictionSoaked, 0.5),
             touchingShare};
 }

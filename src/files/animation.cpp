@@ -14,7 +14,7 @@ namespace drench {
 
 namespace {
 
-constexpr std::size_t mostBytesEver =
+constexpr std::size_t maxBytesAllowed =
     2'000'000'000;  // of which the sizes in a .glb file, 32 bits, still have room
 
 std::vector<float> flat(const std::vector<Eigen::Vector3f>& vectors) {
@@ -74,7 +74,7 @@ void append(files::RecordedSheet& recorded, const ClothFrame& sheet) {
 
 struct Animation::Recording {
     files::RecordedRun run;
-    std::size_t mostBytes;
+    std::size_t maxBytes;
     double begin = 0;
 
     std::size_t bytes() const {
@@ -112,16 +112,16 @@ struct Animation::Recording {
     void checkRoom(const std::vector<ClothFrame>& sheets) const {
         const std::size_t frames = run.times.size();
         const std::size_t more = frameBytes(sheets) + weightBytes(frames + 1) - weightBytes(frames);
-        if (bytes() + more > mostBytes)
-            refuse<std::length_error>("animation: ", frames, " frames are all that fit into ", mostBytes,
+        if (bytes() + more > maxBytes)
+            refuse<std::length_error>("animation: ", frames, " frames are all that fit into ", maxBytes,
                                       " bytes; record fewer a second, or write OBJ files");
     }
 };
 
-Animation::Animation(std::size_t mostBytes) : recording_(std::make_unique<Recording>()) {
-    if (mostBytes == 0 || mostBytes > mostBytesEver)
-        refuse("animation: recording may take ", mostBytes, " bytes; give 1 to ", mostBytesEver);
-    recording_->mostBytes = mostBytes;
+Animation::Animation(std::size_t maxBytes) : recording_(std::make_unique<Recording>()) {
+    if (maxBytes == 0 || maxBytes > maxBytesAllowed)
+        refuse("animation: recording may take ", maxBytes, " bytes; give 1 to ", maxBytesAllowed);
+    recording_->maxBytes = maxBytes;
 }
 Animation::~Animation() = default;
 Animation::Animation(Animation&&) noexcept = default;

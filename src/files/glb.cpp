@@ -61,13 +61,13 @@ class Buffer {
     static void setRange(tinygltf::Accessor& accessor, const std::vector<Number>& numbers,
                          std::size_t components) {
         for (std::size_t c = 0; c < components; ++c) {
-            Number least = numbers[c], most = numbers[c];
+            Number min = numbers[c], max = numbers[c];
             for (std::size_t i = c; i < numbers.size(); i += components) {
-                least = std::min(least, numbers[i]);
-                most = std::max(most, numbers[i]);
+                min = std::min(min, numbers[i]);
+                max = std::max(max, numbers[i]);
             }
-            accessor.minValues.push_back(double(least));
-            accessor.maxValues.push_back(double(most));
+            accessor.minValues.push_back(double(min));
+            accessor.maxValues.push_back(double(max));
         }
     }
 

@@ -11,13 +11,13 @@ namespace drench::files {
 namespace {
 
 std::string between(const Range& range) {
-    return textOf(range.least, " to ", range.most);
+    return textOf(range.min, " to ", range.max);
 }
 
 bool isWithin(const nlohmann::json& value, const Range& range) {
     if (!value.is_number()) return false;
     const double number = value.get<double>();
-    return number >= range.least && number <= range.most;
+    return number >= range.min && number <= range.max;
 }
 
 bool mayBeInName(char c) {
@@ -71,12 +71,12 @@ void FieldReader::number(const std::string& key, double& value, const Range& ran
     value = found->get<double>();
 }
 
-void FieldReader::whole(const std::string& key, int& value, int least, int most) {
+void FieldReader::whole(const std::string& key, int& value, int min, int max) {
     const nlohmann::json* found = any(key);
     if (!found) return;
-    const double number = found->is_number() ? found->get<double>() : least - 1.0;
-    if (!(number >= least && number <= most) || number != std::floor(number))
-        refuse(key, "is ", shown(*found), "; give a whole number, ", least, " to ", most);
+    const double number = found->is_number() ? found->get<double>() : min - 1.0;
+    if (!(number >= min && number <= max) || number != std::floor(number))
+        refuse(key, "is ", shown(*found), "; give a whole number, ", min, " to ", max);
     value = static_cast<int>(number);
 }
 

@@ -16,7 +16,7 @@ namespace drench::files {
 
 /// From the least to the greatest value that a number may have.
 struct Range {
-    double least, most;
+    double min, max;
 };
 
 /// Names for the values of an enumeration.
@@ -33,7 +33,7 @@ class FieldReader {
     FieldReader(const nlohmann::json& object, std::string path);
 
     void number(const std::string& key, double& value, const Range& range);
-    void whole(const std::string& key, int& value, int least, int most);
+    void whole(const std::string& key, int& value, int min, int max);
     void truth(const std::string& key, bool& value);
     void text(const std::string& key, std::string& value);
     /// Letters, digits, blanks, - and _, so that it may be part of a file's name or a column's.
@@ -41,7 +41,7 @@ class FieldReader {
     /// A list of so many numbers; `least` is how long the vector must be.
     template <int Size>
     void vector(const std::string& key, Eigen::Matrix<double, Size, 1>& value, const Range& range,
-                double leastLength = 0);
+                double minLength = 0);
     void numbers(const std::string& key, std::vector<double>& values, const Range& range);
     void places(const std::string& key, std::vector<Eigen::Vector3d>& values, const Range& range);
     template <typename Value>
@@ -126,14 +126,14 @@ std::string shown(const nlohmann::json& value);
 
 template <int Size>
 void FieldReader::vector(const std::string& key, Eigen::Matrix<double, Size, 1>& value, const Range& range,
-                         double leastLength) {
+                         double minLength) {
     const nlohmann::json* found = any(key);
     if (!found) return;
     if (!found->is_array() || found->size() != std::size_t(Size))
         refuse(key, "is ", shown(*found), "; give a list of ", Size, " numbers");
     for (int i = 0; i < Size; ++i) value[i] = numberAt(*found, std::size_t(i), key, range);
-    if (!(value.norm() >= leastLength))
-        refuse(key, "is too short; give a vector at least ", leastLength, " long");
+    if (!(value.norm() >= minLength))
+        refuse(key, "is too short; give a vector at least ", minLength, " long");
 }
 
 template <typename Value>
@@ -165,9 +165,9 @@ template <typename Entry, typename Function>
 void FieldReader::list(const std::string& key, std::vector<Entry>& entries, Function function) {
     const nlohmann::json* found = any(key);
     if (!found) return;
-    constexpr std::size_t most = 1000;
+    constexpr std::size_t max = 1000;
     checkList(key, *found, "objects");
-    if (found->size() > most) refuse(key, "is ", shown(*found), "; give at most ", most, " objects");
+    if (found->size() > max) refuse(key, "is ", shown(*found), "; give at most ", max, " objects");
     for (std::size_t i = 0; i < found->size(); ++i) {
         FieldReader inner((*found)[i], textOf(pathOf(key), '[', i, ']'));
         function(inner, entries.emplace_back());

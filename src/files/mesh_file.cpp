@@ -16,7 +16,7 @@ namespace drench {
 
 namespace {
 
-constexpr std::size_t mostBytes = 256u << 20;
+constexpr std::size_t maxBytes = 256u << 20;
 
 using Corners = std::array<tinyobj::index_t, 3>;
 
@@ -114,7 +114,7 @@ void checkScale(const MeshReading& reading) {
 
 /// @throws std::invalid_argument that says what is wrong
 MeshFile parsed(std::string_view text, const MeshReading& reading) {
-    if (text.size() > mostBytes) throw std::invalid_argument("it has more than 256 MB");
+    if (text.size() > maxBytes) throw std::invalid_argument("it has more than 256 MB");
     files::checkObj(text, reading);
     tinyobj::ObjReaderConfig config;
     config.triangulate = true;
@@ -141,7 +141,7 @@ MeshFile meshFromText(std::string_view text, const MeshReading& reading) {
 MeshFile readMesh(const std::filesystem::path& path, const MeshReading& reading) {
     checkScale(reading);
     try {
-        return parsed(files::readWhole(path, mostBytes), reading);
+        return parsed(files::readWhole(path, maxBytes), reading);
     } catch (const std::invalid_argument& problem) {
         refuse<std::runtime_error>("OBJ file ", path.string(), ": ", reasonOf(problem));
     }

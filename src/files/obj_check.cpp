@@ -12,7 +12,7 @@ namespace drench::files {
 
 namespace {
 
-constexpr long mostVertices = 1'000'000;
+constexpr long maxVertices = 1'000'000;
 
 /// Words of a line, one after the other.
 class Words {
@@ -58,7 +58,7 @@ class Check {
         const std::string_view kind = words.next();
         if (kind == "v") {
             numbers(words, "a vertex", 3, reading_.scale);
-            if (++vertices_ > mostVertices)
+            if (++vertices_ > maxVertices)
                 refuse("there are more than a million vertices; give a coarser mesh");
         } else if (kind == "vt") {
             numbers(words, "a texture coordinate", reading_.texture ? 2 : 1, 1);
@@ -87,19 +87,18 @@ class Check {
             double number = 0;
             if (word.empty()) refuse(what, " has ", i, " numbers; give ", wanted);
             if (!isRead(word, number) || !(std::abs(number * scale) <= furthest)) {
-                const SixDigits most = sixDigits(furthest / scale);
-                refuse(what, " has the number ", quotedWord(word), "; give finite numbers from -", most,
-                       " to ", most);
+                const SixDigits max = sixDigits(furthest / scale);
+                refuse(what, " has the number ", quotedWord(word), "; give finite numbers from -", max,
+                       " to ", max);
             }
         }
     }
 
     void face(Words& words) {
-        constexpr int mostCorners = 1000;
+        constexpr int maxCorners = 1000;
         int corners = 0;
         for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-            if (++corners > mostCorners)
-                refuse("a face has more than 1000 corners; cut it into smaller ones");
+            if (++corners > maxCorners) refuse("a face has more than 1000 corners; cut it into smaller ones");
             corner(word);
         }
         if (corners < 3) refuse("a face has ", corners, " corners; give at least 3");

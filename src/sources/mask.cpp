@@ -90,15 +90,15 @@ void checkParts(const std::filesystem::path& path, const std::vector<char>& byte
 
 // Before anything is unpacked: a small file may say that it has more pixels than there is memory.
 void checkSize(const std::filesystem::path& path, const std::vector<char>& bytes) {
-    constexpr std::int64_t most = 1 << 25;
+    constexpr std::int64_t max = 1 << 25;
     int width = 0, height = 0, channels = 0;
     const bool isKnown =
         stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
                               &width, &height, &channels) != 0;
     if (!isKnown) throw noPicture(path);
-    if (width < 1 || height < 1 || std::int64_t(width) * height > most)
-        throw unreadable(path, "it is ", width, " x ", height, " pixels; give at least one and at most ",
-                         most, " in all");
+    if (width < 1 || height < 1 || std::int64_t(width) * height > max)
+        throw unreadable(path, "it is ", width, " x ", height, " pixels; give at least one and at most ", max,
+                         " in all");
 }
 
 }  // namespace

@@ -13,27 +13,27 @@ namespace drench {
 namespace {
 
 // Cloth stretched to more than this many times its rest area catches no more than it does at that.
-constexpr double mostStretched = 1.5;
+constexpr double maxStretch = 1.5;
 // A ray for shelter starts so far off the node that things which touch the cloth do not count, m.
 constexpr double rayStart = 0.01;
 // Rain that falls at a flatter slope than 1 in 100 would ask for endless water on anything upright.
-constexpr double leastSteepness = 0.01;
+constexpr double minSteepness = 0.01;
 
 void checkSettings(const Rain& rain) {
     checkRange("Rain::intensity", rain.intensity, "mm/h", 0, 1000);
     checkRange("the speed of Rain::velocity", rain.velocity.norm(), "m/s", 0.1, 50);
     checkRange("Rain::shelterHeight", rain.shelterHeight, "m", 0, 1000);
     checkRange("Rain::dropMass", rain.dropMass, "kg", 1e-8, 1e-4);
-    checkRange("Rain::mostDrops", rain.mostDrops, "", 1, 1e6);
+    checkRange("Rain::maxDrops", rain.maxDrops, "", 1, 1e6);
 }
 
 // How much of the fall goes down. Without gravity there is no down but the fall itself.
 double steepness(const Rain& rain, const Eigen::Vector3d& fall, const Eigen::Vector3d& up) {
     if (up.isZero()) return 1;
     const double down = -fall.dot(up);
-    if (down >= leastSteepness) return down;
+    if (down >= minSteepness) return down;
     refuse("Rain::velocity ", rain.velocity, " m/s does not fall where up is ", sixDigits(up),
-           "; give it at least ", leastSteepness, " of its speed downwards");
+           "; give it at least ", minSteepness, " of its speed downwards");
 }
 
 // A Poisson number. Past a million it scatters by less than a thousandth, which is not worth a draw.
@@ -65,8 +65,8 @@ void Rain::supply(const SheetPose& sheet, double dt, Supply& supply) {
     // More drops are drawn than can land, and each is kept as often as its node really stands in its way:
     // this gives every node its own Poisson stream without a visit to every node.
     const double total = areaUpTo_.back();
-    const double drawn = randomCount(fluxAcross * total * mostStretched * dt / dropMass, random_);
-    const int count = static_cast<int>(std::min(drawn, static_cast<double>(mostDrops)));
+    const double drawn = randomCount(fluxAcross * total * maxStretch * dt / dropMass, random_);
+    const int count = static_cast<int>(std::min(drawn, static_cast<double>(maxDrops)));
     const double massEach = count > 0 ? dropMass * (drawn / count) : 0;
     std::uniform_real_distribution<double> anywhere(0, total), share(0, 1);
     for (int drop = 0; drop < count; ++drop) {
@@ -75,7 +75,7 @@ void Rain::supply(const SheetPose& sheet, double dt, Supply& supply) {
         if (found == areaUpTo_.end()) continue;
         const auto node = static_cast<std::size_t>(found - areaUpTo_.begin());
         const double across = std::abs(sheet.areaVector(node).dot(fall));
-        if (!(chance * mostStretched * sheet.mesh.areas[node] < across)) continue;
+        if (!(chance * maxStretch * sheet.mesh.areas[node] < across)) continue;
         if (!sheltered(sheet, node, fall, shelterHeight)) supply.addFilm(node, massEach, velocity);
     }
 }

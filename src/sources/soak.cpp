@@ -23,18 +23,17 @@ void refuseMissingNodes(const std::vector<std::size_t>& nodes, std::size_t size)
 
 // Mean value of the mask at the triangle corners of each node: at a seam a node has several places.
 std::vector<double> valuesOfNodes(const Mask& mask, const ClothMesh& mesh) {
-    Eigen::Vector2d least = Eigen::Vector2d::Constant(1e300), greatest = -least;
+    Eigen::Vector2d min = Eigen::Vector2d::Constant(1e300), max = -min;
     for (const auto& corners : mesh.coordinates)
         for (const Eigen::Vector2d& corner : corners) {
-            least = least.cwiseMin(corner);
-            greatest = greatest.cwiseMax(corner);
+            min = min.cwiseMin(corner);
+            max = max.cwiseMax(corner);
         }
     std::vector<double> sums(mesh.size(), 0.0), counts(mesh.size(), 0.0);
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const auto node = static_cast<std::size_t>(mesh.triangles[triangle][corner]);
-            const Eigen::Vector2d place =
-                (mesh.coordinates[triangle][corner] - least).cwiseQuotient(greatest - least);
+            const Eigen::Vector2d place = (mesh.coordinates[triangle][corner] - min).cwiseQuotient(max - min);
             sums[node] += mask.at(place.x(), place.y());
             counts[node] += 1;
         }

@@ -59,11 +59,11 @@ void checkSum(std::string_view bytes) {
 }
 
 std::string contentsOf(const fs::path& path) {
-    constexpr std::uintmax_t most = std::uintmax_t{1} << 32;
+    constexpr std::uintmax_t max = std::uintmax_t{1} << 32;
     if (!fs::exists(path)) throw std::runtime_error("it is not there");
     if (!fs::is_regular_file(path)) throw std::runtime_error("it is no file");
     const std::uintmax_t size = fs::file_size(path);
-    if (size > most) throw std::runtime_error("it has over 4 GiB, more than any sheet");
+    if (size > max) throw std::runtime_error("it has over 4 GiB, more than any sheet");
     std::ifstream file(path, std::ios::binary);
     if (!file) throw std::runtime_error("it cannot be opened; may you read it?");
     std::string contents(static_cast<std::size_t>(size), '\0');

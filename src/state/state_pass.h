@@ -35,13 +35,13 @@ class StatePass {
     /// What is being saved, or was.
     /// @throws std::runtime_error for a saved value that is not within the limits
     template <typename Number>
-    Number value(Number now, double least = -unlimited, double most = unlimited) {
+    Number value(Number now, double min = -unlimited, double max = unlimited) {
         if (saves()) {
             writer_->write(now);
             return now;
         }
         const Number read = reader_->read<Number>();
-        if (!(double(read) >= least && double(read) <= most)) refuseSaved(read, least, most);
+        if (!(double(read) >= min && double(read) <= max)) refuseSaved(read, min, max);
         return read;
     }
     std::string value(const std::string& now) {
@@ -51,8 +51,8 @@ class StatePass {
     }
     /// The same for a member, which it restores.
     template <typename Number>
-    void number(Number& member, double least = -unlimited, double most = unlimited) {
-        const Number passed = value(member, least, most);
+    void number(Number& member, double min = -unlimited, double max = unlimited) {
+        const Number passed = value(member, min, max);
         if (restores()) member = passed;
     }
     void flag(bool& member) { number(member, 0, 1); }
@@ -61,8 +61,8 @@ class StatePass {
         if (restores()) member = std::move(passed);
     }
     /// An index or a size, in 8 bytes on every machine.
-    void index(std::size_t& member, std::size_t most) {
-        const auto passed = value(static_cast<std::uint64_t>(member), 0, double(most));
+    void index(std::size_t& member, std::size_t max) {
+        const auto passed = value(static_cast<std::uint64_t>(member), 0, double(max));
         if (restores()) member = static_cast<std::size_t>(passed);
     }
     void vector(Eigen::Vector3d& member) {
@@ -71,24 +71,24 @@ class StatePass {
     }
     /// As many as there are now.
     template <typename Number>
-    void numbers(std::vector<Number>& values, double least = -unlimited, double most = unlimited) {
-        for (Number& value : values) number(value, least, most);
+    void numbers(std::vector<Number>& values, double min = -unlimited, double max = unlimited) {
+        for (Number& value : values) number(value, min, max);
     }
     /// How many things follow. @param now  how many there are  @param most  may be
-    std::size_t count(std::size_t now, std::size_t most = std::numeric_limits<std::size_t>::max()) {
+    std::size_t count(std::size_t now, std::size_t max = std::numeric_limits<std::size_t>::max()) {
         if (saves()) {
             writer_->write(static_cast<std::uint64_t>(now));
             return now;
         }
         const std::uint64_t read = reader_->readCount(1);
-        if (read > most) refuseSaved(read, std::size_t{0}, most);
+        if (read > max) refuseSaved(read, std::size_t{0}, max);
         return static_cast<std::size_t>(read);
     }
     /// As many as there were. @param each  names the members of an item
     template <typename Item, typename Each>
     void list(std::vector<Item>& items, Each each,
-              std::size_t most = std::numeric_limits<std::size_t>::max()) {
-        const std::size_t size = count(items.size(), most);
+              std::size_t max = std::numeric_limits<std::size_t>::max()) {
+        const std::size_t size = count(items.size(), max);
         if (restores()) items.clear();
         for (std::size_t i = 0; i < size; ++i) {
             Item unused{};
@@ -104,9 +104,8 @@ class StatePass {
 
   private:
     template <typename Number, typename Limit>
-    [[noreturn]] static void refuseSaved(Number value, Limit least, Limit most) {
-        refuse<std::runtime_error>("a saved value is ", value, " where ", least, " to ", most,
-                                   " is possible");
+    [[noreturn]] static void refuseSaved(Number value, Limit min, Limit max) {
+        refuse<std::runtime_error>("a saved value is ", value, " where ", min, " to ", max, " is possible");
     }
 
     Kind kind_;

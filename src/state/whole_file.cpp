@@ -71,7 +71,7 @@ void writeWhole(const fs::path& name, std::string_view contents) {
     refuseToWrite(path, "is the disk full, or the name too long?");
 }
 
-std::string readWhole(const fs::path& path, std::size_t mostBytes) {
+std::string readWhole(const fs::path& path, std::size_t maxBytes) {
     std::error_code problem;
     if (!fs::exists(path, problem)) {
         throw std::invalid_argument("there is no such file");
@@ -84,8 +84,8 @@ std::string readWhole(const fs::path& path, std::size_t mostBytes) {
         throw std::invalid_argument("it cannot be opened");
     }
     const std::uintmax_t size = fs::file_size(path, problem);
-    if (problem || size > mostBytes) {
-        throw std::invalid_argument(textOf("it has more than ", mostBytes >> 20, " MB"));
+    if (problem || size > maxBytes) {
+        throw std::invalid_argument(textOf("it has more than ", maxBytes >> 20, " MB"));
     }
     std::string contents(static_cast<std::size_t>(size), '\0');
     file.read(contents.data(), static_cast<std::streamsize>(contents.size()));

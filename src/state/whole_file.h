@@ -19,6 +19,6 @@ void writeWhole(const std::filesystem::path& path, std::string_view contents);
 
 /// Reads all of a file of at most so many bytes. Throws std::invalid_argument that says what is wrong with it, and
 /// leaves it to the caller to say with which.
-std::string readWhole(const std::filesystem::path& path, std::size_t mostBytes);
+std::string readWhole(const std::filesystem::path& path, std::size_t maxBytes);
 
 }  // namespace drench::files

@@ -10,7 +10,7 @@ namespace drench {
 
 namespace {
 
-constexpr int mostSteps = 8;
+constexpr int maxSteps = 8;
 // Share of a film that may leave its node in a step, roughly; small enough for the shape of the film.
 constexpr double courantNumber = 0.5;
 
@@ -69,7 +69,7 @@ void FilmFlow::run(double dt, const std::vector<float>& heights, double gravity,
     if (!(mobile > 0) || !(gravity > 0) || runs_.empty()) return;
     const double fastest = fluidity(gravity) * mobile * mobile * double(largestRate_);
     const double steps = std::max(1.0, std::ceil(dt * fastest / courantNumber));
-    if (steps <= mostSteps)
+    if (steps <= maxSteps)
         runInSteps(dt, static_cast<int>(steps), heights.data(), gravity, filmMass.data());
     else
         runInSweeps(dt, heights, gravity, filmMass.data());
@@ -79,7 +79,7 @@ void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gra
     const std::size_t nodes = mobility_.size();
     const float doubleDensity = static_cast<float>(2 * waterDensity);
     const float rate = static_cast<float>(2 * fluidity(gravity) * dt / steps);
-    const float retained = static_cast<float>(retainedFilmThickness), most = static_cast<float>(thickestFilm);
+    const float retained = static_cast<float>(retainedFilmThickness), max = static_cast<float>(thickestFilm);
     const float inverseDensity = 1 / doubleDensity;  // of both faces' films together
     const float *inverseArea = inverseAreas_.data(), *outflow = steepestOutflow_.data();
     float* mobility = mobility_.data();
@@ -88,7 +88,7 @@ void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gra
 #pragma omp simd
         for (std::size_t n = 0; n < nodes; ++n) {
             const float thickness = static_cast<float>(filmMass[n]) * inverseArea[n] * inverseDensity;
-            const float film = std::max(thickness - retained, 0.0f), runs = std::min(film, most);
+            const float film = std::max(thickness - retained, 0.0f), runs = std::min(film, max);
             const float twice = rate * outflow[n] * inverseArea[n] * runs * runs;
             const float root = std::sqrt(1 + twice);
             // (1 - 1 / root) / outflow, without the difference of nearly equal numbers
@@ -108,8 +108,8 @@ void FilmFlow::runInSweeps(double dt, const std::vector<float>& heights, double 
         const float one = heights[static_cast<std::size_t>(a)], other = heights[static_cast<std::size_t>(b)];
         return one != other ? one > other : a < b;  // whatever the order before
     });
-    for (int sweep = 0; sweep < mostSteps; ++sweep)
-        sweepDown(dt / mostSteps, heights.data(), gravity, filmMass);
+    for (int sweep = 0; sweep < maxSteps; ++sweep)
+        sweepDown(dt / maxSteps, heights.data(), gravity, filmMass);
 }
 
 void FilmFlow::sweepDown(double dt, const float* heights, double gravity, double* filmMass) {

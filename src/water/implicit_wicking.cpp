@@ -9,9 +9,9 @@ namespace drench {
 
 namespace {
 
-constexpr int mostIterations = 40;
+constexpr int maxIterations = 40;
 constexpr double tolerance = 1e-12;  // of a node's capacity
-constexpr int mostPieces = 4096;     // that a step is cut into
+constexpr int maxPieces = 4096;      // that a step is cut into
 
 /// Index of an entry within the values of a matrix.
 int placeOf(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix, int row, int column) {
@@ -56,11 +56,11 @@ void ImplicitWicking::step(double dt, const std::vector<float>& heights, double 
         rise_.push_back(weight * std::clamp(rise, -steepest, steepest));
     }
     // Pieces of the step are counted in the smallest that there are, so that they add up to it.
-    int done = 0, piece = mostPieces;
-    while (done < mostPieces) {
-        if (tryStep(dt * piece / mostPieces, poreMass)) {
+    int done = 0, piece = maxPieces;
+    while (done < maxPieces) {
+        if (tryStep(dt * piece / maxPieces, poreMass)) {
             done += piece;
-            piece = std::min(2 * piece, mostPieces - done);
+            piece = std::min(2 * piece, maxPieces - done);
         } else if (piece > 1) {
             piece /= 2;
         } else {
@@ -72,7 +72,7 @@ void ImplicitWicking::step(double dt, const std::vector<float>& heights, double 
 bool ImplicitWicking::tryStep(double dt, std::vector<double>& poreMass) {
     for (std::size_t n = 0; n < capacities_.size(); ++n)
         saturation_[Eigen::Index(n)] = capacities_[n] > 0 ? poreMass[n] / capacities_[n] : 0.0;
-    for (int iteration = 0; iteration < mostIterations; ++iteration) {
+    for (int iteration = 0; iteration < maxIterations; ++iteration) {
         findFluxes();
         if (assemble(dt, poreMass) < tolerance) {
             applyFluxes(dt, poreMass);

@@ -102,8 +102,8 @@ void Moisture::checkWater(std::size_t node, double mass, std::size_t account) co
     if (account >= accounts_.size())
         refuse<std::out_of_range>("account ", account, " of ", accounts_.size(),
                                   "; give one that openAccount() returned");
-    constexpr double most = 1e6;  // keeps sums finite in single-precision Bullet
-    if (!(mass >= 0 && mass <= most))
+    constexpr double max = 1e6;  // keeps sums finite in single-precision Bullet
+    if (!(mass >= 0 && mass <= max))
         refuse(mass, " kg of water for node ", node, "; give a mass from 0 to 1e6 kg");
     if (areas_[node] == 0)
         refuse("node ", node, " belongs to no triangle and has no cloth to wet; choose another");
@@ -290,11 +290,11 @@ Ledger Moisture::ledger() const {
 }
 
 void Moisture::state(StatePass& pass) {
-    constexpr double most = 1e15;  // kg, by which sums stay finite
-    pass.numbers(poreMass_, 0, most);
-    pass.numbers(filmMass_, 0, most);
-    pass.number(dripped_, 0, most);
-    pass.number(evaporated_, 0, most);
+    constexpr double max = 1e15;  // kg, by which sums stay finite
+    pass.numbers(poreMass_, 0, max);
+    pass.numbers(filmMass_, 0, max);
+    pass.number(dripped_, 0, max);
+    pass.number(evaporated_, 0, max);
     accountsState(pass);
     coveredState(pass);
 }

@@ -66,7 +66,7 @@ void Wicking::step(double dt, const std::vector<float>& heights, double gravity,
                    const std::vector<double>& capacities, std::vector<double>& poreMass) {
     if (runs_.empty() || !(dt > 0)) return;
     const double steps = std::max(1.0, std::ceil(dt / explicitBound(gravity)));
-    if (steps > mostExplicitSteps) {
+    if (steps > maxExplicitSteps) {
         if (!implicit_)
             implicit_ = std::make_unique<ImplicitWicking>(curve_, fluxScale_, runs_.edges(), capacities);
         implicit_->step(dt, heights, waterDensity * gravity, lowerShare(curve_, gravity, longestEdge_),

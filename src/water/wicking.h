@@ -54,7 +54,7 @@ class Wicking {
   public:
     /// Most explicit steps that a call takes before it takes one implicit step instead, which costs as much
     /// as some 440 of them and is less exact (docs/water.md).
-    static constexpr int mostExplicitSteps = 400;
+    static constexpr int maxExplicitSteps = 400;
 
     Wicking(const Fabric& fabric, const ClothMesh& mesh);
     ~Wicking();

@@ -165,15 +165,15 @@ double measuredCopyBandwidth() {
     const auto from = std::make_unique<char[]>(size), to = std::make_unique<char[]>(size);
     std::memset(from.get(), 1, size);
     std::memset(to.get(), 2, size);
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 60; ++i) {
         const std::clock_t start = std::clock();
         std::memcpy(to.get(), from.get(), size);
         benchmark::DoNotOptimize(to.get());
         benchmark::ClobberMemory();
-        least = std::min(least, double(std::clock() - start) / CLOCKS_PER_SEC);
+        min = std::min(min, double(std::clock() - start) / CLOCKS_PER_SEC);
     }
-    return 2.0 * double(size) / least;
+    return 2.0 * double(size) / min;
 }
 
 /// What the repetitions of a case share, since a large sheet takes seconds to build.

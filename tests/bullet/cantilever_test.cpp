@@ -210,9 +210,8 @@ class FrictionalElastica {
     }
     void slide(int place) {
         double& slid = slid_[std::size_t(place)];
-        const double bent = curvature(place, elastica_.moment(place)),
-                     most = friction_ / (stiffer * bending_);
-        slid = std::clamp(slid, bent - most, bent + most);
+        const double bent = curvature(place, elastica_.moment(place)), max = friction_ / (stiffer * bending_);
+        slid = std::clamp(slid, bent - max, bent + max);
     }
 
     static constexpr double stiffer = 2;

@@ -160,16 +160,16 @@ TEST(Grip, ASheetThatFliesOffAPlateHasLostTheEnergyOfItsBonds) {
     for (const double energy : {0.02, 0.13}) {
         Peel sheet(0.01, energy, {0, 0.01});
         const double arealMass = sheet.mass() / (Peel::width * Peel::length);
-        const double least = std::sqrt(2 * energy / arealMass);
-        sheet.throwUp(1.5 * least);
+        const double min = std::sqrt(2 * energy / arealMass);
+        sheet.throwUp(1.5 * min);
         sheet.pull(0.2);
         const double left = sheet.speed();
-        EXPECT_NEAR(arealMass / 2 * (2.25 * least * least - left * left) / energy, 1, 0.2);
+        EXPECT_NEAR(arealMass / 2 * (2.25 * min * min - left * left) / energy, 1, 0.2);
 
         Peel tooSlow(0.01, energy, {0, 0.01});
-        tooSlow.throwUp(0.9 * least);
+        tooSlow.throwUp(0.9 * min);
         tooSlow.pull(0.5);
-        EXPECT_NEAR(tooSlow.speed(), 0, 0.05 * least);
+        EXPECT_NEAR(tooSlow.speed(), 0, 0.05 * min);
     }
 }
 

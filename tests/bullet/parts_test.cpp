@@ -135,12 +135,12 @@ TEST(Parts, LightSolidsThatSpinAgainstWetClothLoseTheirEnergy) {
         ball.setActivationState(DISABLE_DEACTIVATION);
         ball.setAngularVelocity({0, 0, btScalar(spin)});
         const double start = 0.5 * 0.4 * ballMass * radius * radius * spin * spin;
-        double most = 0;
+        double max = 0;
         for (int frame = 0; frame < 120; ++frame) {
             rig.run(1.0 / 60);
-            most = std::max(most, 0.5 * ballMass * double(ball.getLinearVelocity().length2()));
+            max = std::max(max, 0.5 * ballMass * double(ball.getLinearVelocity().length2()));
         }
-        EXPECT_LT(most, start) << ballMass;
+        EXPECT_LT(max, start) << ballMass;
     }
 }
 

@@ -13,7 +13,7 @@
 namespace drench::penetration_test {
 namespace {
 
-constexpr double speed = 5, most = 1e-3;
+constexpr double speed = 5, max = 1e-3;
 
 /// How deep a point is in a solid, in the solid's own coordinates, m.
 using Depth = std::function<double(const btVector3&)>;
@@ -52,7 +52,7 @@ void expectOutside(const char* name, btCollisionShape& shape, const Depth& depth
     for (const btQuaternion& turn : {btQuaternion::getIdentity(), askew})
         for (const double water : {0.0, 0.13}) {
             const Thrown thrown = throwAt(shape, turn, 0.45, depth, water);
-            EXPECT_LT(thrown.deepest, most) << name << ", " << water << " kg/m2";
+            EXPECT_LT(thrown.deepest, max) << name << ", " << water << " kg/m2";
             EXPECT_GT(thrown.touching, 20) << name << ", " << water << " kg/m2";
         }
 }

@@ -165,16 +165,16 @@ TEST(SmallStepMotion, StepsTooLongForTheClothAddNoSpeed) {
             btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabrics::cottonPlain(), 0.5, nodes, 0));
             sheet.m_nodes[0].m_im = sheet.m_nodes[nodes - 1].m_im = 0;
             rig.cover(sheet, fabrics::cottonPlain(), test::withoutAir());
-            double most = -1e9;
+            double max = -1e9;
             for (int i = 0; i < 300; ++i) {
                 rig.run(1.0 / 60);
                 double sum = 0;
                 for (int n = 0; n < sheet.m_nodes.size(); ++n)
                     sum += test::mass(sheet.m_nodes[n]) * (0.5 * double(sheet.m_nodes[n].m_v.length2()) +
                                                            g * double(sheet.m_nodes[n].m_x.y()));
-                most = std::max(most, sum);
+                max = std::max(max, sum);
             }
-            EXPECT_LT(most, 0.01 * test::mass(sheet) * g * 0.25);
+            EXPECT_LT(max, 0.01 * test::mass(sheet) * g * 0.25);
         }
 }
 

@@ -16,10 +16,10 @@ namespace {
 
 /// Largest distance between the same nodes of two sheets, m.
 double farthest(const SceneCloth& a, const SceneCloth& b) {
-    double most = 0;
+    double max = 0;
     for (int n = 0; n < a.body().m_nodes.size(); ++n)
-        most = std::max(most, double((a.body().m_nodes[n].m_x - b.body().m_nodes[n].m_x).length()));
-    return most;
+        max = std::max(max, double((a.body().m_nodes[n].m_x - b.body().m_nodes[n].m_x).length()));
+    return max;
 }
 
 SceneDescription wetSheetInTheWind() {

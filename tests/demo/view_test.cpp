@@ -134,14 +134,14 @@ TEST(Areas, APairShowsEachPictureAsItIsAlone) {
     const viewer::Image pair = renderer.capturePair(dry, wet, 2 * width + 2, height);
     const viewer::Image left = renderer.capture(dry, width, height);
     const viewer::Image right = renderer.capture(wet, width, height);
-    double most = 0;
+    double max = 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             for (int c = 0; c < 3; ++c) {
-                most = std::max(most, std::abs(channel(pair, x, y, c) - channel(left, x, y, c)));
-                most = std::max(most, std::abs(channel(pair, x + width + 2, y, c) - channel(right, x, y, c)));
+                max = std::max(max, std::abs(channel(pair, x, y, c) - channel(left, x, y, c)));
+                max = std::max(max, std::abs(channel(pair, x + width + 2, y, c) - channel(right, x, y, c)));
             }
-    EXPECT_LE(most, 2);  // the dither goes by the place in the framebuffer
+    EXPECT_LE(max, 2);  // the dither goes by the place in the framebuffer
     EXPECT_NEAR(channel(pair, width, height / 2, 0), 217, 1);
     EXPECT_EQ(renderer.glErrors(), 0);
 }

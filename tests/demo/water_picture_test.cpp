@@ -45,10 +45,10 @@ Change change(const Image& before, const Image& after, int radiusX, int radiusY)
     Change result;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            int most = 0;
+            int max = 0;
             for (int which = 0; which < 3; ++which)
-                most = std::max(most, std::abs(channel(before, x, y, which) - channel(after, x, y, which)));
-            if (most <= 1) continue;
+                max = std::max(max, std::abs(channel(before, x, y, which) - channel(after, x, y, which)));
+            if (max <= 1) continue;
             const bool middle = std::abs(x - width / 2) <= radiusX && std::abs(y - height / 2) <= radiusY;
             ++(middle ? result.inside : result.outside);
         }

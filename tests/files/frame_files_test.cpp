@@ -122,14 +122,14 @@ TEST(FrameFiles, NormalsAreThoseOfBullet) {
     world.run(0.3);
     body.updateNormals();
     const ClothFrame now = frameOf("sheet", body, cloth);
-    float leastZ = 1;
+    float minZ = 1;
     for (int n = 0; n < body.m_nodes.size(); ++n) {
         const btVector3& normal = body.m_nodes[n].m_n;
         const Eigen::Vector3f bullets(float(normal.x()), float(normal.y()), float(normal.z()));
         EXPECT_LT((now.normals[std::size_t(n)] - bullets).norm(), 1e-5f) << n;
-        leastZ = std::min(leastZ, std::abs(bullets.z()));
+        minZ = std::min(minZ, std::abs(bullets.z()));
     }
-    EXPECT_LT(leastZ, 0.95f);  // the sheet is no plane any more
+    EXPECT_LT(minZ, 0.95f);  // the sheet is no plane any more
 }
 
 TEST(FrameFiles, FramesAreOfTheirOwnBody) {

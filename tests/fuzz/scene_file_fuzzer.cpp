@@ -16,8 +16,8 @@ bool isSmall(const demo::SceneDescription& scene) {
         nodes += sheet.nodes[0] * sheet.nodes[1];
     }
     const demo::SolverDescription& solver = scene.solver;
-    const bool stepsLittle = solver.world == demo::WorldKind::softRigid && solver.mostSubsteps > 0 &&
-                             solver.mostSubsteps <= 8 && solver.smallSteps > 0 && solver.smallSteps <= 32;
+    const bool stepsLittle = solver.world == demo::WorldKind::softRigid && solver.maxSubsteps > 0 &&
+                             solver.maxSubsteps <= 8 && solver.smallSteps > 0 && solver.smallSteps <= 32;
     return stepsLittle && nodes <= 256 && scene.solids.size() <= 8 && scene.sources.size() <= 8 &&
            solver.iterations <= 8;
 }

@@ -194,13 +194,13 @@ TEST(Conductances, ObtuseBordersAddLittle) {
     // weave is strongly directed.
     for (const auto& [name, patch] : patches())
         for (const Weave& weave : weaves) {
-            const double most = std::max(weave.warp, weave.weft) > 4 ? 0.10 : 0.05;
+            const double max = std::max(weave.warp, weave.weft) > 4 ? 0.10 : 0.05;
             const Eigen::Vector3d found = energy(patch, weave.warp, weave.weft);
             EXPECT_GT(found.x(), 1 - 1e-9) << name;
             EXPECT_GT(found.y(), 1 - 1e-9) << name;
-            EXPECT_LT(found.x(), 1 + most) << name << ", " << weave.warp << " to " << weave.weft;
-            EXPECT_LT(found.y(), 1 + most) << name << ", " << weave.warp << " to " << weave.weft;
-            EXPECT_NEAR(found.z(), 0, most) << name << ", " << weave.warp << " to " << weave.weft;
+            EXPECT_LT(found.x(), 1 + max) << name << ", " << weave.warp << " to " << weave.weft;
+            EXPECT_LT(found.y(), 1 + max) << name << ", " << weave.warp << " to " << weave.weft;
+            EXPECT_NEAR(found.z(), 0, max) << name << ", " << weave.warp << " to " << weave.weft;
         }
 }
 

@@ -144,21 +144,21 @@ TEST(Rain, KeepsItsMassInFewerHeavierDrops) {
     Cloth cloth(1, 20);
     Rain rain(1000);
     constexpr int steps = 200;
-    std::size_t most = 0;
+    std::size_t max = 0;
     for (int step = 0; step < steps; ++step) {
         const std::size_t before = cloth.arrivals.size();
         rain.supply(cloth.pose(), 3600, cloth);
-        most = std::max(most, cloth.arrivals.size() - before);
+        max = std::max(max, cloth.arrivals.size() - before);
     }
-    EXPECT_LE(most, 500u);
-    EXPECT_GT(most, 300u);
+    EXPECT_LE(max, 500u);
+    EXPECT_GT(max, 300u);
     const double spread = 1000 * std::sqrt(0.5 / 500.0);  // of one step, binomial
     EXPECT_NEAR(cloth.film() / steps, 1000, 3 * spread / std::sqrt(steps));
 
     // Just over the limit on average: nothing may be lost to the cut either.
     Cloth steady(1, 20);
     Rain shower(1);
-    shower.mostDrops = 100;
+    shower.maxDrops = 100;
     run(shower, steady, 1, 3600);
     EXPECT_NEAR(steady.film(), 1, 1.1 * threeSigma(1, shower.dropMass));
 }
@@ -177,7 +177,7 @@ TEST(Refusals, RainOutOfRange) {
     expectRange(rain, &Rain::intensity, "Rain::intensity", 0, 1000);
     expectRange(rain, &Rain::shelterHeight, "Rain::shelterHeight", 0, 1000);
     expectRange(rain, &Rain::dropMass, "Rain::dropMass", 1e-8, 1e-4);
-    expectCount(rain, &Rain::mostDrops, "Rain::mostDrops");
+    expectCount(rain, &Rain::maxDrops, "Rain::maxDrops");
     for (const Vector3d& velocity : {Vector3d(0, 0, 0), Vector3d(0, -0.05, 0), Vector3d(0, -51, 0),
                                      Vector3d(nan, -6, 0), Vector3d(6, 0, 0), Vector3d(0, 6, 0)}) {
         Rain changed = rain;

@@ -179,14 +179,13 @@ inline void expectRefusal(Source& source, const std::string& named) {
 }
 
 template <class Kind>
-void expectRange(const Kind& good, double Kind::*setting, const std::string& name, double least,
-                 double most) {
-    for (const double value : {std::nextafter(least, -1e300), std::nextafter(most, 1e300), nan}) {
+void expectRange(const Kind& good, double Kind::*setting, const std::string& name, double min, double max) {
+    for (const double value : {std::nextafter(min, -1e300), std::nextafter(max, 1e300), nan}) {
         Kind source = good;
         source.*setting = value;
         expectRefusal(source, name);
     }
-    for (const double value : {least, most}) {
+    for (const double value : {min, max}) {
         Kind source = good;
         source.*setting = value;
         Cloth cloth(1, 2);

@@ -31,8 +31,8 @@ GlErrorCount::~GlErrorCount() {
 
 void GlErrorCount::poll() {
     // A lost context reports errors for ever.
-    constexpr int most = 16;
-    for (int i = 0; i < most && glGetError() != GL_NO_ERROR; ++i)
+    constexpr int max = 16;
+    for (int i = 0; i < max && glGetError() != GL_NO_ERROR; ++i)
         if (!hasMessages_) ++count_;
 }
 

@@ -30,9 +30,9 @@ void requireSize(int width, int height) {
 }
 
 GLint smoothingSamples() {
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_SAMPLES, &most);
-    return std::min(4, most);
+    GLint max = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &max);
+    return std::min(4, max);
 }
 
 void allocate(const Renderbuffer& renderbuffer, GLint samples, GLenum format, int width, int height) {

@@ -10,7 +10,7 @@ namespace drench::viewer {
 namespace {
 
 void addBalls(FrameUniforms& uniforms, const std::vector<Ball>& balls) {
-    const std::size_t count = std::min(balls.size(), FrameUniforms::mostBalls);
+    const std::size_t count = std::min(balls.size(), FrameUniforms::maxBalls);
     for (std::size_t i = 0; i < count; ++i) uniforms.balls[i] = packed(balls[i].centre, balls[i].radius);
     uniforms.ground[1] = static_cast<float>(count);
 }

@@ -11,7 +11,7 @@ namespace drench::viewer {
 
 // The uniform block Frame of frame.glsl in std140 layout; the two must be changed together.
 struct FrameUniforms {
-    static constexpr std::size_t mostBalls = 8;
+    static constexpr std::size_t maxBalls = 8;
 
     Eigen::Matrix<float, 4, 4, Eigen::DontAlign> clipFromWorld;
     // To where a place is from the eye.
@@ -25,7 +25,7 @@ struct FrameUniforms {
     // Ground height, number of balls, and of the open ground the share that is wet and how wet that is.
     std::array<float, 4> ground;
     // Centre and radius of the balls that darken what is near them.
-    std::array<std::array<float, 4>, mostBalls> balls;
+    std::array<std::array<float, 4>, maxBalls> balls;
     // The two elements of the projection that make depth; width that a pixel sees at a distance of 1.
     std::array<float, 4> lens;
     // The rectangle beyond which the ground is open: its least x and z, its largest.

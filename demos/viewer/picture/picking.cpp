@@ -44,14 +44,14 @@ std::optional<float> distanceToBalls(const Ray& ray, const std::vector<Ball>& ba
 }
 
 bool meetsSheet(const Ray& ray, const Picture& picture) {
-    const float most = distanceToBalls(ray, picture.balls).value_or(std::numeric_limits<float>::infinity());
+    const float max = distanceToBalls(ray, picture.balls).value_or(std::numeric_limits<float>::infinity());
     for (const SheetMesh& sheet : picture.sheets) {
         for (const auto& triangle : sheet.triangles) {
             const auto distance = distanceTo(ray, sheet.positions[triangle[0]], sheet.positions[triangle[1]],
                                              sheet.positions[triangle[2]]);
             // Cloth on a ball lies on it within the thickness of the picture.
             constexpr float onIt = 0.02f;
-            if (distance && *distance < most + onIt) return true;
+            if (distance && *distance < max + onIt) return true;
         }
     }
     return false;

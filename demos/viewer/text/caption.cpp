@@ -50,21 +50,21 @@ void Caption::draw(const Picture& picture, const Area& area) {
     const ImGuiSession::Use use(session_);
     loadFont(fontPixels(area));
     // ImGui counts from the top: of the area, if what it draws to ends there.
-    const ImVec2 least(static_cast<float>(area.x), 0.0f);
-    const ImVec2 most(static_cast<float>(area.x + area.width), static_cast<float>(area.height));
-    ImGui::GetIO().DisplaySize = ImVec2(most.x, static_cast<float>(area.y + area.height));
+    const ImVec2 min(static_cast<float>(area.x), 0.0f);
+    const ImVec2 max(static_cast<float>(area.x + area.width), static_cast<float>(area.height));
+    ImGui::GetIO().DisplaySize = ImVec2(max.x, static_cast<float>(area.y + area.height));
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     ImDrawList& canvas = *ImGui::GetForegroundDrawList();
-    canvas.PushClipRect(least, most);
+    canvas.PushClipRect(min, max);
     const float margin = std::round(0.7f * fontPixels_);
-    const float room = std::max(most.x - least.x - 2.0f * margin, fontPixels_);
-    float top = picture.captionBelow ? most.y - margin - heightOf(picture.caption, room) : margin;
+    const float room = std::max(max.x - min.x - 2.0f * margin, fontPixels_);
+    float top = picture.captionBelow ? max.y - margin - heightOf(picture.caption, room) : margin;
     for (const std::string& line : picture.caption) {
-        writeText(canvas, line, ImVec2(least.x + margin, top), fontPixels_, room);
+        writeText(canvas, line, ImVec2(min.x + margin, top), fontPixels_, room);
         top += heightOf(line, room);
     }
-    if (picture.legend) drawLegend(canvas, *picture.legend, least, most, margin, picture.captionBelow);
+    if (picture.legend) drawLegend(canvas, *picture.legend, min, max, margin, picture.captionBelow);
     canvas.PopClipRect();
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

@@ -31,18 +31,17 @@ ImU32 screenColour(float share) {
         ImVec4(encoded(light.x()), encoded(light.y()), encoded(light.z()), 1.0f));
 }
 
-void drawBar(ImDrawList& canvas, ImVec2 least, ImVec2 most) {
+void drawBar(ImDrawList& canvas, ImVec2 min, ImVec2 max) {
     constexpr int steps = 64;
-    const float step = (most.x - least.x) / steps;
-    const float rim = std::max(1.0f, (most.y - least.y) / 16.0f);
-    canvas.AddRectFilled(ImVec2(least.x - rim, least.y - rim), ImVec2(most.x + rim, most.y + rim),
+    const float step = (max.x - min.x) / steps;
+    const float rim = std::max(1.0f, (max.y - min.y) / 16.0f);
+    canvas.AddRectFilled(ImVec2(min.x - rim, min.y - rim), ImVec2(max.x + rim, max.y + rim),
                          IM_COL32(10, 14, 20, 160));
     for (int i = 0; i < steps; ++i) {
-        const float left = least.x + step * static_cast<float>(i);
+        const float left = min.x + step * static_cast<float>(i);
         const ImU32 from = screenColour(static_cast<float>(i) / steps);
         const ImU32 to = screenColour(static_cast<float>(i + 1) / steps);
-        canvas.AddRectFilledMultiColor(ImVec2(left, least.y), ImVec2(left + step, most.y), from, to, to,
-                                       from);
+        canvas.AddRectFilledMultiColor(ImVec2(left, min.y), ImVec2(left + step, max.y), from, to, to, from);
     }
 }
 
@@ -60,26 +59,25 @@ std::vector<std::string> legendTicks(const Legend& legend) {
     return ticks;
 }
 
-void drawLegend(ImDrawList& canvas, const Legend& legend, ImVec2 least, ImVec2 most, float margin,
-                bool above) {
-    const float room = most.x - least.x - 2.0f * margin;
+void drawLegend(ImDrawList& canvas, const Legend& legend, ImVec2 min, ImVec2 max, float margin, bool above) {
+    const float room = max.x - min.x - 2.0f * margin;
     const float size = ImGui::GetFont()->FontSize * 0.8f;
     const float width = std::min(room, 15.0f * size);
     const float height = 3.1f * size;
-    const float left = most.x - margin - width;
-    const float top = above ? least.y + margin : most.y - margin - height;
+    const float left = max.x - margin - width;
+    const float top = above ? min.y + margin : max.y - margin - height;
     const float inset = size;  // half of the widest tick reaches beyond the bar
     writeText(canvas, legend.title, ImVec2(left + inset, top), size, width);
-    const ImVec2 barLeast(left + inset, top + 1.25f * size);
-    const ImVec2 barMost(left + width - inset, top + 1.95f * size);
-    drawBar(canvas, barLeast, barMost);
+    const ImVec2 barMin(left + inset, top + 1.25f * size);
+    const ImVec2 barMax(left + width - inset, top + 1.95f * size);
+    drawBar(canvas, barMin, barMax);
     const std::vector<std::string> ticks = legendTicks(legend);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-        const float x = barLeast.x + (barMost.x - barLeast.x) * static_cast<float>(i) / parts;
-        canvas.AddLine(ImVec2(x, barMost.y), ImVec2(x, barMost.y + 0.2f * size), IM_COL32(255, 255, 255, 255),
+        const float x = barMin.x + (barMax.x - barMin.x) * static_cast<float>(i) / parts;
+        canvas.AddLine(ImVec2(x, barMax.y), ImVec2(x, barMax.y + 0.2f * size), IM_COL32(255, 255, 255, 255),
                        std::max(1.0f, size / 14.0f));
         const float half = 0.5f * textSize(ticks[i], 0.85f * size, 0.0f).x;
-        writeText(canvas, ticks[i], ImVec2(x - half, barMost.y + 0.22f * size), 0.85f * size, 0.0f);
+        writeText(canvas, ticks[i], ImVec2(x - half, barMax.y + 0.22f * size), 0.85f * size, 0.0f);
     }
 }
 

@@ -15,7 +15,6 @@ std::vector<std::string> legendTicks(const Legend& legend);
 
 // Draws the bar, its ticks and its title so that they end `margin` pixels inside the lower right corner of the
 // rectangle from `least` to `most`, or the upper right one.
-void drawLegend(ImDrawList& canvas, const Legend& legend, ImVec2 least, ImVec2 most, float margin,
-                bool above);
+void drawLegend(ImDrawList& canvas, const Legend& legend, ImVec2 min, ImVec2 max, float margin, bool above);
 
 }  // namespace drench::viewer

@@ -22,9 +22,9 @@ namespace drench {
 /// same bytes.
 class DRENCH_API Animation {
   public:
-    /// @param mostBytes  limit on the memory for recording, bytes; 1 to 2e9; default 5e8, 3000 frames of 4096 nodes
+    /// @param maxBytes  limit on the memory for recording, bytes; 1 to 2e9; default 5e8, 3000 frames of 4096 nodes
     /// @throws std::invalid_argument for 0 or more than 2e9
-    explicit Animation(std::size_t mostBytes = 500'000'000);
+    explicit Animation(std::size_t maxBytes = 500'000'000);
     ~Animation();
     Animation(Animation&&) noexcept;
     Animation& operator=(Animation&&) noexcept;

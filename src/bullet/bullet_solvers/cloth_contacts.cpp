@@ -48,7 +48,7 @@ struct ClothContacts::Search final : btDbvt::ICollide {
 
     btDbvtVolume volume() const {
         const btScalar margin = partner_.margin + contacts_.reach_;
-        btVector3 low = start_ + partner_.leastMotion, high = start_ + partner_.mostMotion;
+        btVector3 low = start_ + partner_.minMotion, high = start_ + partner_.maxMotion;
         low.setMin(start_ + motion_);
         high.setMax(start_ + motion_);
         const btVector3 around(margin, margin, margin);
@@ -113,14 +113,14 @@ void ClothContacts::findPartners(btDiscreteDynamicsWorld& world, const btSoftBod
             continue;
         }
         const bool isAwake = other.isActive();
-        btVector3 least = motionOf(other.m_nodes[0], isAwake), most = least;
+        btVector3 min = motionOf(other.m_nodes[0], isAwake), max = min;
         for (int n = 1; n < other.m_nodes.size(); ++n) {
-            least.setMin(motionOf(other.m_nodes[n], isAwake));
-            most.setMax(motionOf(other.m_nodes[n], isAwake));
+            min.setMin(motionOf(other.m_nodes[n], isAwake));
+            max.setMax(motionOf(other.m_nodes[n], isAwake));
         }
         const btScalar margins =
             body.getCollisionShape()->getMargin() + other.getCollisionShape()->getMargin();
-        partners_.push_back({&other, &mechanics->grip, margins, dryFriction(body, other), least, most});
+        partners_.push_back({&other, &mechanics->grip, margins, dryFriction(body, other), min, max});
     }
 }
 

@@ -34,9 +34,9 @@ class ClothContacts {
     struct Partner {
         btSoftBody* body;
         const Grip* grip;
-        btScalar margin;                    // of both sheets, m
-        btScalar friction;                  // coefficient when dry, 1
-        btVector3 leastMotion, mostMotion;  // of any node, m
+        btScalar margin;                 // of both sheets, m
+        btScalar friction;               // coefficient when dry, 1
+        btVector3 minMotion, maxMotion;  // of any node, m
     };
     /// The nearest point of a face.
     struct Near {

@@ -61,9 +61,9 @@ void DeformableContacts::rewrite(btSoftBody::DeformableNodeRigidContact& contact
     bonds_[n] = &object;
     if (!now.implicit) return exchange(node, object, normal * (-btScalar(bond) * now.time), now.implicit);
     // Bullet's implicit contacts push back by more than the node's mass.
-    constexpr double most = 30;
+    constexpr double max = 30;
     const double pull = bond * double(now.time) * double(node.m_im);
-    contact.m_c3 = btScalar(friction * (approach > 0 ? std::min(1 + pull / double(approach), most) : most));
+    contact.m_c3 = btScalar(friction * (approach > 0 ? std::min(1 + pull / double(approach), max) : max));
 }
 
 void DeformableContacts::rewrite(btSoftBody::DeformableFaceRigidContact& contact, const Substep& now) {

@@ -17,8 +17,8 @@ SurfacePoint nearestPart(const btCollisionShape& shape, const btTransform& trans
     if (shape.isConvex()) {
         const btVector3 place = transform.invXform(point);
         // Bullet counts voxels with whole numbers, and does not look whether they suffice.
-        constexpr btScalar mostVoxels = btScalar(1e8);
-        if (!(place.length() < mostVoxels * field.voxelsz)) return nearest;
+        constexpr btScalar maxVoxels = btScalar(1e8);
+        if (!(place.length() < maxVoxels * field.voxelsz)) return nearest;
         SurfacePoint found;
         found.distance = field.Evaluate(place, &shape, found.normal, 0);
         found.normal = transform.getBasis() * found.normal;

@@ -155,8 +155,8 @@ void StockContacts::stick(btSoftBody& body, const Held& held) {
     if (stuckBefore_[n].object == object) {
         const btVector3 back = place * stuckBefore_[n].place - node.m_x;
         // Someone has put the sheet or the solid elsewhere if it is farther than links could have pulled it.
-        const btScalar most = body.getCollisionShape()->getMargin() + (node.m_x - node.m_q).length();
-        if (back.length() <= most) lift(node, alongSurface(back, held.surface.normal));
+        const btScalar max = body.getCollisionShape()->getMargin() + (node.m_x - node.m_q).length();
+        if (back.length() <= max) lift(node, alongSurface(back, held.surface.normal));
     }
     stuck_[n] = {object, place.invXform(node.m_x)};
 }

@@ -143,9 +143,9 @@ void FluidForces::gather(const Around& around) {
                              explained = lastGravity + arrayOf(force) * force.inverseMass;
         Eigen::Array4f others = arrayOf(acceleration) - lastGravity * (1 - acceleration.lifted);
         const Eigen::Array4f meant = explained + others;
-        const float size = sizeOf(explained), most = hardest + 2 * size;
+        const float size = sizeOf(explained), max = hardest + 2 * size;
         if (size < absurd)
-            others += ((change - explained).min(most).max(-most) - others) *
+            others += ((change - explained).min(max).max(-max) - others) *
                       (newestInAir + (newestInWater - newestInAir) * fluid.share);
         if (fluid.share > 0) others -= answered(n, meant, change);
         const float mass = float(around.mechanics.masses[n]);
@@ -189,7 +189,7 @@ void FluidForces::gatherWater(const Around& around) {
     for (const std::size_t n : around.water.nodes()) {
         const auto mass = float(around.mechanics.masses[n]);
         if (!(mass > 0) || !(areas_[n] > 0)) continue;
-        const float displacedOverMass = displacedAtMost(n, around) / mass;
+        const float displacedOverMass = maxDisplaced(n, around) / mass;
         immerse(n, shareAtEnd(n, displacedOverMass, around), displacedOverMass, around);
         wet_.push_back(n);
     }
@@ -213,7 +213,7 @@ void FluidForces::immerse(std::size_t node, float share, float displacedOverMass
 }
 
 /// Water whose place a node takes when all of it is under, kg.
-float FluidForces::displacedAtMost(std::size_t node, const Around& around) const {
+float FluidForces::maxDisplaced(std::size_t node, const Around& around) const {
     return float(double(areas_[node]) * fibrePerArea_ + around.moisture.poreCapacity(node) +
                  around.moisture.filmMass()[node]);
 }

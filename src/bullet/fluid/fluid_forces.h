@@ -75,7 +75,7 @@ class FluidForces {
     Eigen::Array4f answered(std::size_t node, const Eigen::Array4f& meant, const Eigen::Array4f& change);
     void gatherWater(const Around& around);
     void immerse(std::size_t node, float share, float displacedOverMass, const Around& around);
-    float displacedAtMost(std::size_t node, const Around& around) const;
+    float maxDisplaced(std::size_t node, const Around& around) const;
     float shareAtEnd(std::size_t node, float displacedOverMass, const Around& around) const;
     void answerLift(std::size_t node, float lifted);
     void lift(const Around& around);

@@ -19,7 +19,7 @@ namespace {
 constexpr double fastest = 1e4;  // m/s
 constexpr std::size_t raysPerStep = 32;
 // Of patches in a sheet; small ones have fewer.
-constexpr std::size_t mostPatches = 256, leastNodes = 16;
+constexpr std::size_t maxPatches = 256, minNodes = 16;
 // In which the shelter follows what the rays say, s (assumed).
 constexpr double shelterTime = 0.3;
 
@@ -63,7 +63,7 @@ WindAtNodes::WindAtNodes(const ClothMesh& mesh) : velocities_(mesh.size(), Packe
 /// Each patch grows around a node that no other patch has taken.
 void WindAtNodes::makePatches(const ClothMesh& mesh) {
     const auto neighbours = neighboursOf(mesh);
-    const std::size_t most = std::max(leastNodes, (mesh.size() + mostPatches - 1) / mostPatches);
+    const std::size_t max = std::max(minNodes, (mesh.size() + maxPatches - 1) / maxPatches);
     std::vector<char> isTaken(mesh.size(), 0);
     for (std::size_t first = 0; first < mesh.size(); ++first) {
         if (isTaken[first]) continue;
@@ -71,7 +71,7 @@ void WindAtNodes::makePatches(const ClothMesh& mesh) {
         isTaken[first] = 1;
         for (std::size_t i = 0; i < nodes.size(); ++i)
             for (const std::size_t neighbour : neighbours[nodes[i]]) {
-                if (isTaken[neighbour] || nodes.size() == most) continue;
+                if (isTaken[neighbour] || nodes.size() == max) continue;
                 isTaken[neighbour] = 1;
                 nodes.push_back(neighbour);
             }
@@ -110,7 +110,7 @@ void WindAtNodes::layLattice(double spacing, const Pose& pose) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         std::size_t& points = points_[static_cast<std::size_t>(axis)];
         const float extent = high[axis] - low_[axis];
-        const double wanted = std::min(std::ceil(double(extent) / spacing), double(mostPoints - 1));
+        const double wanted = std::min(std::ceil(double(extent) / spacing), double(maxPoints - 1));
         points = std::max(points, static_cast<std::size_t>(wanted) + 1);
         distance_[axis] = extent > 0 ? extent / float(points - 1) : 1;
     }

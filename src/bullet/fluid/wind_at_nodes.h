@@ -45,7 +45,7 @@ class WindAtNodes {
     friend class BulletPass;
     void state(BulletPass& pass);
 
-    static constexpr std::size_t mostPoints = 6;  // of the lattice along an axis
+    static constexpr std::size_t maxPoints = 6;  // of the lattice along an axis
 
     /// Nodes that are next to each other, and what is upwind of them.
     struct Patch {
@@ -72,7 +72,7 @@ class WindAtNodes {
     std::array<std::size_t, 3> points_ = {2, 2, 2};  // along each axis
     Eigen::Array4f low_ = Eigen::Array4f::Zero();    // corner of the lattice, m, as the pose's places
     Eigen::Array4f distance_ = Eigen::Array4f::Ones();
-    std::array<PackedVector, mostPoints * mostPoints * mostPoints> lattice_{};  // m/s
+    std::array<PackedVector, maxPoints * maxPoints * maxPoints> lattice_{};  // m/s
 
     std::vector<Patch> patches_;
     std::size_t nextRay_ = 0;

@@ -351,7 +351,7 @@ void WetCloth::Layer::collectDrops() {
         const btSoftBody::Node& node = body.m_nodes[static_cast<int>(shed.node)];
         drops.push_back(
             {toEigen(node.m_x), toEigen(node.m_v), dropMass, shed.drops, time, static_cast<int>(shed.node)});
-        if (drops.size() > mostDropsKept) drops.pop_front();
+        if (drops.size() > maxDropsKept) drops.pop_front();
     }
 }
 

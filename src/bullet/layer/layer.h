@@ -156,7 +156,7 @@ struct WetCloth::Layer final : TickListener {
     std::deque<NamedAccount> accounts;  // stay where they are
     Pose pose;
     Surroundings surroundings;
-    static constexpr std::size_t mostDropsKept = 100000;
+    static constexpr std::size_t maxDropsKept = 100000;
     std::deque<Drop> drops;  // that nobody has taken yet
     double time = 0;         // of the body, since the layer was made, s
 

@@ -41,8 +41,8 @@ void pushFace(FluidForce* forces, const FaceBlock& block, const PackedVector* po
         mean.massPerArea += fluid[node].massPerArea * third;
         mean.permeability += fluid[node].permeability * third;
     }
-    const float mass = mean.massPerArea * block.restArea[lane], most = laws.addedMass * block.restArea[lane],
-                added = mean.share * most, both = mass + added, before = mass + mean.shareBefore * most;
+    const float mass = mean.massPerArea * block.restArea[lane], max = laws.addedMass * block.restArea[lane],
+                added = mean.share * max, both = mass + added, before = mass + mean.shareBefore * max;
     const float density = laws.airDensity + (laws.waterDensity - laws.airDensity) * mean.share;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         through += velocity[axis] * normal[axis];

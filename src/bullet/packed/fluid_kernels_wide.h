@@ -50,8 +50,8 @@ static void pushByFluid(FluidForce* forces, const FaceBlock* blocks, const Packe
         mean(around, permeability, fluid, block);
 
         const Eight area = 0.5f * doubleArea, restArea = eight(block.restArea);
-        const Eight mass = around.z * restArea, most = laws.addedMass * restArea;
-        const Eight added = around.x * most, both = mass + added, before = mass + around.y * most;
+        const Eight mass = around.z * restArea, max = laws.addedMass * restArea;
+        const Eight added = around.x * max, both = mass + added, before = mass + around.y * max;
         const Eight density = laws.airDensity + (laws.waterDensity - laws.airDensity) * around.x;
         const Eight pressure = laws.pressure * density, shear = laws.shear * density * area;
         dot(pulled, acceleration, normal);

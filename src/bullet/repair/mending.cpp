@@ -19,7 +19,7 @@ constexpr auto unlimited = std::numeric_limits<btScalar>::max();
 struct Setting {
     const char* name;
     btScalar btSoftBody::Config::*value;
-    btScalar least, most;
+    btScalar min, max;
     btScalar standard;
 };
 
@@ -43,9 +43,9 @@ constexpr Setting settings[] = {
 };
 
 /// The first component that is no number or larger than `most`; 0 if there is none.
-double excess(const btVector3& v, double most) {
+double excess(const btVector3& v, double max) {
     for (int axis = 0; axis < 3; ++axis)
-        if (!(std::abs(double(v[axis])) <= most)) return double(v[axis]);
+        if (!(std::abs(double(v[axis])) <= max)) return double(v[axis]);
     return 0;
 }
 
@@ -132,12 +132,12 @@ class NodeMender {
 void mendSettings(btSoftBody& body, Troubles& troubles) {
     for (const Setting& setting : settings) {
         btScalar& value = body.m_cfg.*setting.value;
-        if (value >= setting.least && value <= setting.most) continue;
+        if (value >= setting.min && value <= setting.max) continue;
         troubles.note(Trouble::bodySetting,
                       textOf("the body's m_cfg.", setting.name, " is ", value, "; give ",
-                             setting.least > 0 ? "a positive finite number (to pause a sheet, do not step it)"
-                             : setting.least == 0 ? "a finite number of at least 0"
-                                                  : "a finite number",
+                             setting.min > 0 ? "a positive finite number (to pause a sheet, do not step it)"
+                             : setting.min == 0 ? "a finite number of at least 0"
+                                                : "a finite number",
                              ", as Bullet does with ", setting.standard),
                       -1, double(value));
         value = setting.standard;

@@ -120,11 +120,11 @@ class Recutter {
     std::size_t nearestOf(const std::vector<std::size_t>& candidates, const Triangle& triangle) {
         const btVector3 middle = (placeOf(triangle[0]) + placeOf(triangle[1]) + placeOf(triangle[2])) / 3;
         std::size_t nearest = candidates.front();
-        btScalar least = std::numeric_limits<btScalar>::infinity();
+        btScalar min = std::numeric_limits<btScalar>::infinity();
         for (const std::size_t candidate : candidates) {
             const btScalar distance = projected(middle, candidate).apart.length2();
-            if (!(distance < least)) continue;
-            least = distance;
+            if (!(distance < min)) continue;
+            min = distance;
             nearest = candidate;
         }
         return nearest;

@@ -20,8 +20,8 @@ MovingNode packed(const btVector3& v) {
     return {float(v.x()), float(v.y()), float(v.z()), 0};
 }
 
-btVector3 limited(btVector3 v, btScalar most) {
-    for (int axis = 0; axis < 3; ++axis) v[axis] = std::clamp(v[axis], -most, most);
+btVector3 limited(btVector3 v, btScalar max) {
+    for (int axis = 0; axis < 3; ++axis) v[axis] = std::clamp(v[axis], -max, max);
     return v;
 }
 
@@ -80,9 +80,9 @@ double usualResponse(const std::vector<PlateElement>& plates, const std::vector<
         }
     }
     if (responses.empty()) return 0;
-    const auto most = responses.begin() + static_cast<std::ptrdiff_t>(responses.size() * 9 / 10);
-    std::nth_element(responses.begin(), most, responses.end());
-    return *most;
+    const auto max = responses.begin() + static_cast<std::ptrdiff_t>(responses.size() * 9 / 10);
+    std::nth_element(responses.begin(), max, responses.end());
+    return *max;
 }
 
 /// Upper bound of the squared angular frequencies of all bends, times areal density over rigidity, 1/m4
@@ -300,9 +300,9 @@ int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, int step
     stiffest *= mechanics.bending * (1 + double(plateLaws_.frictionStiffness));
     // With T = n h and x' = x + T (v + v') / 2, v' = v - T w^2 (x + T v) a bend of angular frequency w is stable
     // up to (w T)^2 = 2.
-    constexpr double stable = 1.3, most = 8;
+    constexpr double stable = 1.3, max = 8;
     const double longest = std::sqrt(stable * lightest / (stiffest * stiffestPlates_));
-    return static_cast<int>(std::clamp(longest * steps / substep_, 1.0, most));
+    return static_cast<int>(std::clamp(longest * steps / substep_, 1.0, max));
 }
 
 void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {

@@ -278,10 +278,10 @@ void SmallStepSolver::updateSoftBodies() {
 int SmallStepSolver::State::chooseSteps() const {
     if (settings.count > 0) return settings.count;
     constexpr int fewest = 4;
-    int most = fewest;
+    int max = fewest;
     for (const Solving& each : sheets)
-        most = std::max(most, each.sheet->cloth.wantedSteps(*each.mechanics, settings.stretchTolerance));
-    return most;
+        max = std::max(max, each.sheet->cloth.wantedSteps(*each.mechanics, settings.stretchTolerance));
+    return max;
 }
 
 void SmallStepSolver::State::begin(btScalar substep) {

@@ -5,9 +5,9 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-void BulletPass::vector(btVector3& value, double most) {
+void BulletPass::vector(btVector3& value, double max) {
     btScalar parts[3] = {value.x(), value.y(), value.z()};
-    for (btScalar& part : parts) number(part, -most, most);
+    for (btScalar& part : parts) number(part, -max, max);
     if (restores()) value.setValue(parts[0], parts[1], parts[2]);
 }
 

@@ -31,7 +31,7 @@ class BulletPass : public StatePass {
     // Of a body that moves, finite and not so large that Bullet's sums were not.
     static constexpr double farthest = 1e15;
     using StatePass::vector;
-    void vector(btVector3& value, double most = farthest);
+    void vector(btVector3& value, double max = farthest);
     void matrix(btMatrix3x3& value);
     /// A packed node of any kind.
     template <typename Node>

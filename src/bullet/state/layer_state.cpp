@@ -233,7 +233,7 @@ void WetCloth::Layer::momentState(BulletPass& pass) {
             pass.number(drop.time, 0);
             pass.number(drop.node, 0, double(mesh.size()) - 1);
         },
-        mostDropsKept);
+        maxDropsKept);
     if (pass.restores()) drops.assign(all.begin(), all.end());
 }
 

@@ -105,7 +105,7 @@ void Submersion::state(BulletPass& pass) {
 
 void WindAtNodes::state(BulletPass& pass) {
     for (std::size_t& points : points_) {
-        const auto passed = pass.value(static_cast<std::uint64_t>(points), 2, mostPoints);
+        const auto passed = pass.value(static_cast<std::uint64_t>(points), 2, maxPoints);
         if (pass.restores()) points = static_cast<std::size_t>(passed);
     }
     for (Patch& patch : patches_) {

@@ -26,10 +26,10 @@ void run(const std::filesystem::path& obj, const std::filesystem::path& folder) 
     btSequentialImpulseConstraintSolver solver;
     btSoftRigidDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration, &smallSteps);
     auto sheet = drench::makeSheet(world.getWorldInfo(), wool, skirt.mesh);
-    btVector3 least, greatest;
+    btVector3 min, max;
     sheet->updateBounds();
-    sheet->getAabb(least, greatest);
-    const btScalar waist = greatest.y() - (greatest.y() - least.y()) / 10;
+    sheet->getAabb(min, max);
+    const btScalar waist = max.y() - (max.y() - min.y()) / 10;
     drench::pinWhere(*sheet, [&](const btVector3& place) { return place.y() > waist; });
     world.addSoftBody(sheet.get());
     {
