@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "effects/wet_places.h"
+#include "effects/wet_spots.h"
 
 namespace drench::demo {
 
 void OpenGround::rain(double massPerArea, const Eigen::AlignedBox3d& followed) {
     followed_ = followed;
     // Each drop covers less than its water does in one layer, some of it where others have been.
-    covered_ += (1 - covered_) * std::min(withinOutline * massPerArea / WetPlaces::layer, 1.0);
-    massPerArea_ = std::min(massPerArea_ + massPerArea, WetPlaces::maxLayers * WetPlaces::layer * covered_);
+    covered_ += (1 - covered_) * std::min(withinOutline * massPerArea / WetSpots::layer, 1.0);
+    massPerArea_ = std::min(massPerArea_ + massPerArea, WetSpots::maxLayers * WetSpots::layer * covered_);
 }
 
 void OpenGround::dry(double massPerArea) {
@@ -24,7 +24,7 @@ void OpenGround::show(viewer::Picture& picture) const {
         return Eigen::Vector2f(float(place.x()), float(place.z()));
     };
     picture.openGround.covered = float(covered_);
-    picture.openGround.wetness = float(WetPlaces::wetnessOf(massPerArea_ / covered_));
+    picture.openGround.wetness = float(WetSpots::wetnessOf(massPerArea_ / covered_));
     picture.openGround.from = corner(followed_.min());
     picture.openGround.to = corner(followed_.max());
 }

@@ -28,7 +28,7 @@ constexpr double sprayLife = 1.5;           // s
 constexpr double finestDrop = 0.6e-3;       // m, up to which a drop of a spray is no more than a streak
 constexpr std::int64_t maxTogether = 4;
 constexpr double dropsPerSecond = 1500;  // that stand for the water of a nozzle
-constexpr double patchLength = 0.5;      // m, of a wet place along the air, for its drying
+constexpr double patchLength = 0.5;      // m, of a wet spot along the air, for its drying
 
 /// Drops over 1 mm in a cubic metre of rain (Marshall & Palmer 1948).
 double dropsPerVolume(double intensity) {
@@ -62,7 +62,7 @@ void removeWhere(std::vector<Element>& list, Condition condition) {
 }  // namespace
 
 WaterEffects::WaterEffects(const btCollisionWorld& world, const WaterEffectsLimits& limits)
-    : world_(world), limits_(limits), generator_(limits.seed), places_(limits.places) {}
+    : world_(world), limits_(limits), generator_(limits.seed), spots_(limits.spots) {}
 
 void WaterEffects::rain(double intensity, const Eigen::Vector3d& velocity,
                         const Eigen::AlignedBox3d& region) {
@@ -119,7 +119,7 @@ void WaterEffects::step(double frameTime, const Air& air, double waterSpeed) {
             " s is not possible; give a finite time of at least 0 s");
     require(waterSpeed >= 0 && std::isfinite(waterSpeed), "a water speed of ", waterSpeed,
             " is not possible; give 0 or more");
-    places_.keepOnlyIn(world_);
+    spots_.keepOnlyIn(world_);
     findSheets();
     beginRain(frameTime);
     fallRain(frameTime);
@@ -132,7 +132,7 @@ void WaterEffects::step(double frameTime, const Air& air, double waterSpeed) {
     // Places are wet on one face only.
     const double speed = std::min(air.wind.norm(), 100.0);
     const double dried = evaporation(air, speed, patchLength).rate / 2 * frameTime * waterSpeed;
-    places_.dry(dried);
+    spots_.dry(dried);
     openGround_.dry(dried);
 }
 
@@ -323,7 +323,7 @@ void WaterEffects::splash(const Eigen::Vector3d& place, double vigour) {
 }
 
 void WaterEffects::wet(const Hit& hit, double mass) {
-    if (hit.body != nullptr) places_.wet(*hit.body, hit.place, mass, float(random()));
+    if (hit.body != nullptr) spots_.wet(*hit.body, hit.place, mass, float(random()));
 }
 
 void WaterEffects::addPuff(const Eigen::Vector3d& centre, const Eigen::Vector3d& velocity, double radius,
@@ -354,7 +354,7 @@ void WaterEffects::show(viewer::Picture& picture) const {
         picture.mist.push_back({puff.centre.cast<float>(), float(puff.radius * (1 + 4 * share)),
                                 float(puff.density * (1 - share) * std::min(1.0, 8 * share))});
     }
-    places_.show(picture);
+    spots_.show(picture);
     openGround_.show(picture);
 }
 

@@ -12,7 +12,7 @@
 #include "effects/nozzle.h"
 #include "effects/open_ground.h"
 #include "effects/sheet_cells.h"
-#include "effects/wet_places.h"
+#include "effects/wet_spots.h"
 #include "viewer/picture/picture.h"
 
 namespace drench::demo {
@@ -23,7 +23,7 @@ struct WaterEffectsLimits {
     std::size_t streaks = 3000;  ///< drops of rain on their way
     std::size_t drops = 1200;    ///< in flight, of splashes and of sprays, each
     std::size_t puffs = 160;     ///< of mist
-    std::size_t places = 2000;   ///< that are wet, at least 1
+    std::size_t spots = 2000;    ///< that are wet, at least 1
 };
 
 /// What water does besides wetting sheets: it falls, splashes, drifts as mist, and wets rigid bodies, where it dries
@@ -31,7 +31,7 @@ struct WaterEffectsLimits {
 class WaterEffects {
   public:
     /// @param world  must outlive this; its rigid bodies stop water and get wet, its soft bodies only stop it
-    /// @throws std::invalid_argument for no room for any wet place
+    /// @throws std::invalid_argument for no room for any wet spot
     explicit WaterEffects(const btCollisionWorld& world, const WaterEffectsLimits& limits = {});
 
     /// Lets it rain through a region from now on, as dense as rain of that intensity is (Marshall & Palmer
@@ -52,7 +52,7 @@ class WaterEffects {
 
     /// Moves everything by one frame; call it after the world's step.
     /// @param frameTime   s, at least 0
-    /// @param air         dries the wet places, and carries the mist
+    /// @param air         dries the wet spots, and carries the mist
     /// @param waterSpeed  how much faster than the clock they dry
     /// @throws std::invalid_argument for a frame time or speed that is negative or not finite, and for such air
     /// as `validate` refuses
@@ -61,7 +61,7 @@ class WaterEffects {
     /// Adds all that there is to see.
     void show(viewer::Picture& picture) const;
 
-    const WetPlaces& places() const { return places_; }
+    const WetSpots& spots() const { return spots_; }
 
   private:
     struct Shower {
@@ -133,7 +133,7 @@ class WaterEffects {
     std::vector<Bead> splashes_;
     std::vector<Puff> puffs_;
     std::vector<viewer::WaterDrop> falling_;
-    WetPlaces places_;
+    WetSpots spots_;
     OpenGround openGround_;
 };
 

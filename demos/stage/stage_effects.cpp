@@ -37,7 +37,7 @@ StageEffects::StageEffects(const btCollisionWorld& world, const SceneDescription
       sunshine_(sunshineIn(description.water ? description.weather.rain : 0)) {
     limits_.seed = description.seed;
     limits_.streaks = 4500;
-    limits_.places = 3000;
+    limits_.spots = 3000;
 }
 
 void StageEffects::setPools(const std::vector<StageSource>& sources) {

@@ -72,61 +72,61 @@ TEST(WaterEffects, DropsThatLandLeaveWetPlacesThere) {
     }
     EXPECT_GE(landings, 5u);
     EXPECT_TRUE(seenInFlight);
-    EXPECT_NEAR(effects.places().mass(), drops.massElsewhere(), 1e-3 * drops.massElsewhere());
+    EXPECT_NEAR(effects.spots().mass(), drops.massElsewhere(), 1e-3 * drops.massElsewhere());
 }
 
-TEST(WetPlaces, MoveAndTurnWithTheirBody) {
+TEST(WetSpots, MoveAndTurnWithTheirBody) {
     const auto world = worldWithGround();
     btRigidBody& ball = world->addBall({0, 1, 0}, 0.3, 0);
-    WetPlaces places(10);
-    places.wet(ball, {0, 1.3, 0}, 1e-4, 0.5f);
+    WetSpots spots(10);
+    spots.wet(ball, {0, 1.3, 0}, 1e-4, 0.5f);
     ball.setWorldTransform(btTransform(btQuaternion({0, 0, 1}, btScalar(pi / 2)), {2, 1, 0}));
     viewer::Picture picture;
-    places.show(picture);
+    spots.show(picture);
     ASSERT_EQ(picture.patches.size(), 1u);
     EXPECT_LT((picture.patches[0].centre - Eigen::Vector3f(1.7f, 1, 0)).norm(), 1e-5f);
     EXPECT_NEAR(std::abs(picture.patches[0].orientation.z()), std::sin(pi / 4), 1e-5);
 }
 
-TEST(WetPlaces, RunTogetherGrowAndHaveAThinLayersArea) {
+TEST(WetSpots, RunTogetherGrowAndHaveAThinLayersArea) {
     const auto world = worldWithGround();
     const btRigidBody& ball = world->addBall({0, 1, 0}, 0.3, 0);
-    WetPlaces places(10);
-    places.wet(ball, {0, 1.3, 0}, 50e-6, 0.5f);
+    WetSpots spots(10);
+    spots.wet(ball, {0, 1.3, 0}, 50e-6, 0.5f);
     viewer::Picture one, two;
-    places.show(one);
-    EXPECT_NEAR(pi * std::pow(double(one.patches.at(0).radius), 2) * WetPlaces::layer, 50e-6, 1e-8);
-    places.wet(ball, {0.002, 1.3, 0}, 50e-6, 0.1f);
-    places.show(two);
+    spots.show(one);
+    EXPECT_NEAR(pi * std::pow(double(one.patches.at(0).radius), 2) * WetSpots::layer, 50e-6, 1e-8);
+    spots.wet(ball, {0.002, 1.3, 0}, 50e-6, 0.1f);
+    spots.show(two);
     ASSERT_EQ(two.patches.size(), 1u);
     EXPECT_NEAR(two.patches[0].radius / one.patches[0].radius, std::sqrt(2), 1e-3);
-    places.wet(ball, {0.1, 1.28, 0}, 50e-6, 0.1f);
-    EXPECT_EQ(places.size(), 2u);
+    spots.wet(ball, {0.1, 1.28, 0}, 50e-6, 0.1f);
+    EXPECT_EQ(spots.size(), 2u);
 }
 
-TEST(WetPlaces, TheDriestGoWhenThereIsNoRoomAndAllGoWithTheirBody) {
+TEST(WetSpots, TheDriestGoWhenThereIsNoRoomAndAllGoWithTheirBody) {
     const auto world = worldWithGround();
     btRigidBody& ball = world->addBall({0, 1, 0}, 0.3, 0);
-    WetPlaces places(2);
-    places.wet(ball, {0.3, 1, 0}, 50e-6, 0);
-    places.dry(0.5 * WetPlaces::layer);
-    places.wet(ball, {0, 1.3, 0}, 50e-6, 0);
-    places.wet(ball, {-0.3, 1, 0}, 50e-6, 0);
+    WetSpots spots(2);
+    spots.wet(ball, {0.3, 1, 0}, 50e-6, 0);
+    spots.dry(0.5 * WetSpots::layer);
+    spots.wet(ball, {0, 1.3, 0}, 50e-6, 0);
+    spots.wet(ball, {-0.3, 1, 0}, 50e-6, 0);
     viewer::Picture picture;
-    places.show(picture);
+    spots.show(picture);
     ASSERT_EQ(picture.patches.size(), 2u);
     for (const viewer::WetPatch& patch : picture.patches) EXPECT_LT(patch.centre.x(), 0.1f);
     world->world().removeRigidBody(&ball);
-    places.keepOnlyIn(world->world());
-    EXPECT_EQ(places.size(), 0u);
-    EXPECT_THROW(WetPlaces(0), std::invalid_argument);
+    spots.keepOnlyIn(world->world());
+    EXPECT_EQ(spots.size(), 0u);
+    EXPECT_THROW(WetSpots(0), std::invalid_argument);
 }
 
 TEST(WaterEffects, APlaceDriesInTheTimeOfItsLayerAtTheRateOfTheAir) {
     const auto world = worldWithGround();
     WaterEffects effects(world->world());
     effects.rain(1, downwards, region(0.3, 2));
-    while (effects.places().size() == 0) effects.step(frameTime, Air());
+    while (effects.spots().size() == 0) effects.step(frameTime, Air());
     effects.rain(0, downwards, region(0.3, 2));
     Air still;
     still.vapourExchange = 0;
@@ -135,13 +135,13 @@ TEST(WaterEffects, APlaceDriesInTheTimeOfItsLayerAtTheRateOfTheAir) {
     Air air;
     air.wind = {2, 0, 0};
     constexpr double waterSpeed = 60;
-    const double time = WetPlaces::layer / (evaporation(air, 2, 0.5).rate / 2) / waterSpeed;
+    const double time = WetSpots::layer / (evaporation(air, 2, 0.5).rate / 2) / waterSpeed;
     effects.step(0.9 * time, air, waterSpeed);
-    ASSERT_GT(effects.places().size(), 0u);
+    ASSERT_GT(effects.spots().size(), 0u);
     for (const viewer::WetPatch& patch : pictureOf(effects).patches) EXPECT_LT(patch.wetness, 0.99f);
     // Where two drops fell into one place there may be up to two layers.
     effects.step(1.15 * time, air, waterSpeed);
-    EXPECT_EQ(effects.places().size(), 0u);
+    EXPECT_EQ(effects.spots().size(), 0u);
 }
 
 TEST(WaterEffects, OpenGroundGetsWetAsFastAsTheRainFallsAndDriesAgain) {
@@ -152,14 +152,14 @@ TEST(WaterEffects, OpenGroundGetsWetAsFastAsTheRainFallsAndDriesAgain) {
         effects.step(frameTime, Air());
     }
     const viewer::OpenGround wet = pictureOf(effects).openGround;
-    EXPECT_NEAR(wet.covered, 1 - std::exp(-OpenGround::withinOutline * 60 / 360 / WetPlaces::layer), 0.02);
+    EXPECT_NEAR(wet.covered, 1 - std::exp(-OpenGround::withinOutline * 60 / 360 / WetSpots::layer), 0.02);
     EXPECT_EQ(wet.wetness, 1);
     EXPECT_LT((wet.from - Eigen::Vector2f(-0.3f, -0.3f)).norm(), 1e-6f);
     EXPECT_LT((wet.to - Eigen::Vector2f(0.3f, 0.3f)).norm(), 1e-6f);
     effects.rain(0, downwards, region(0.3, 1));
     Air air;
     air.wind = {2, 0, 0};
-    const double time = WetPlaces::layer / (evaporation(air, 2, 0.5).rate / 2);
+    const double time = WetSpots::layer / (evaporation(air, 2, 0.5).rate / 2);
     effects.step(0.9 * time, air);
     EXPECT_GT(pictureOf(effects).openGround.covered, 0);
     effects.step(1.2 * time, air);
@@ -172,7 +172,7 @@ TEST(WaterEffects, CountsStayWithinTheirLimits) {
     limits.streaks = 50;
     limits.drops = 40;
     limits.puffs = 5;
-    limits.places = 30;
+    limits.spots = 30;
     WaterEffects effects(world->world(), limits);
     effects.rain(100, downwards, region(2, 3));
     for (int frame = 0; frame < 600; ++frame) {
@@ -185,16 +185,16 @@ TEST(WaterEffects, CountsStayWithinTheirLimits) {
         ASSERT_LE(picture.streaks.size(), limits.streaks + limits.drops);
         ASSERT_LE(picture.drops.size(), 2 * limits.drops);
         ASSERT_LE(picture.mist.size(), limits.puffs);
-        ASSERT_LE(picture.patches.size(), limits.places);
+        ASSERT_LE(picture.patches.size(), limits.spots);
     }
     const viewer::Picture picture = pictureOf(effects);
     EXPECT_GT(picture.streaks.size(), limits.streaks / 2);
     EXPECT_FALSE(picture.drops.empty());
     EXPECT_FALSE(picture.mist.empty());
-    EXPECT_EQ(picture.patches.size(), limits.places);
+    EXPECT_EQ(picture.patches.size(), limits.spots);
 }
 
-std::vector<Eigen::Vector3f> placesAfterASecond(unsigned seed) {
+std::vector<Eigen::Vector3f> spotsAfterASecond(unsigned seed) {
     const auto world = worldWithGround();
     WaterEffectsLimits limits;
     limits.seed = seed;
@@ -214,10 +214,10 @@ std::vector<Eigen::Vector3f> placesAfterASecond(unsigned seed) {
 }
 
 TEST(WaterEffects, TheSameSeedShowsTheSamePicture) {
-    const std::vector<Eigen::Vector3f> one = placesAfterASecond(1);
+    const std::vector<Eigen::Vector3f> one = spotsAfterASecond(1);
     EXPECT_GT(one.size(), 500u);
-    EXPECT_EQ(one, placesAfterASecond(1));
-    EXPECT_NE(one, placesAfterASecond(2));
+    EXPECT_EQ(one, spotsAfterASecond(1));
+    EXPECT_NE(one, spotsAfterASecond(2));
 }
 
 TEST(WaterEffects, UnderARoofNothingFalls) {
@@ -253,7 +253,7 @@ TEST(WaterEffects, ARoofOverTheRegionKeepsAllOfItDry) {
     effects.rain(60, downwards, region(1, 3));
     for (int frame = 0; frame < 60; ++frame) effects.step(frameTime, Air());
     EXPECT_TRUE(pictureOf(effects).streaks.empty());
-    EXPECT_EQ(effects.places().size(), 0u);
+    EXPECT_EQ(effects.spots().size(), 0u);
 }
 
 TEST(WaterEffects, SheetsAndPoolsStopTheRain) {
@@ -300,7 +300,7 @@ TEST(WaterEffects, ASprayStaysInItsConeAndWetsWhatItMeets) {
     EXPECT_GT(onWall, 0);
     // All that has left the nozzle and is not in the air any more is on the wall, until there is too much of
     // it.
-    EXPECT_LE(effects.places().mass(), nozzle.rate * 1.0);
+    EXPECT_LE(effects.spots().mass(), nozzle.rate * 1.0);
     EXPECT_EQ(wall.getWorldTransform().getOrigin().x(), 0);
 }
 

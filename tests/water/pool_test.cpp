@@ -81,7 +81,7 @@ TEST(Pool, TakesBackTheSurplusOfTheFilm) {
 }
 
 // Places of the nodes that a pool wets.
-std::vector<Vector3d> wetPlaces(const Cloth& cloth) {
+std::vector<Vector3d> wetPositions(const Cloth& cloth) {
     std::vector<Vector3d> places;
     for (std::size_t node = 0; node < cloth.mesh.size(); ++node) {
         EXPECT_EQ(cloth.filmMass[node] > 0, cloth.covered[node] > 0) << node;
@@ -96,8 +96,8 @@ TEST(Pool, WetsOnlyWhatIsUnderItsLevel) {
     cloth.move([](const Vector3d& p) { return Vector3d(0, p.x(), p.z()); });
     Pool pool(0.35);
     run(pool, cloth, 0.1, 1);
-    EXPECT_EQ(wetPlaces(cloth).size(), 4u * 11u);
-    for (const Vector3d& place : wetPlaces(cloth)) EXPECT_LT(place.y(), 0.35);
+    EXPECT_EQ(wetPositions(cloth).size(), 4u * 11u);
+    for (const Vector3d& place : wetPositions(cloth)) EXPECT_LT(place.y(), 0.35);
 }
 
 TEST(Pool, WetsOnlyInsideItsRectangleWhicheverWayIsUp) {
@@ -119,8 +119,8 @@ TEST(Pool, WetsOnlyInsideItsRectangleWhicheverWayIsUp) {
         pool.from = {0.15, 0.45};
         pool.to = {0.35, 0.95};
         run(pool, cloth, 0.1, 1);
-        EXPECT_EQ(wetPlaces(cloth).size(), 2u * 5u) << up.transpose();
-        for (const Vector3d& place : wetPlaces(cloth)) {
+        EXPECT_EQ(wetPositions(cloth).size(), 2u * 5u) << up.transpose();
+        for (const Vector3d& place : wetPositions(cloth)) {
             EXPECT_NEAR(place.dot(first), 0.25, 0.1) << up.transpose();
             EXPECT_NEAR(place.dot(second), 0.7, 0.25) << up.transpose();
         }

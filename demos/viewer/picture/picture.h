@@ -117,7 +117,7 @@ struct MistPuff {
     float density = 0.1f;
 };
 
-// A wet place on the ground or on a ball, rod or box: what lies within the radius is wet, with an uneven
+// A wet spot on the ground or on a ball, rod or box: what lies within the radius is wet, with an uneven
 // edge.
 struct WetPatch {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
