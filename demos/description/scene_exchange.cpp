@@ -56,7 +56,7 @@ void exchangeSolver(Fields& fields, SolverDescription& solver) {
 
 template <typename Fields>
 void exchangeCamera(Fields& fields, viewer::Camera& camera) {
-    floatVector(fields, "target", camera.target, places);
+    floatVector(fields, "target", camera.target, positionRange);
     double distance = widened(camera.distance);
     fields.number("distance", distance, {0.05, 1000});
     if constexpr (Fields::reads) camera.distance = float(distance);
@@ -81,8 +81,8 @@ void exchangeEnds(Fields& fields, SolidDescription& solid) {
     constexpr double shortest = 1e-4;  // m
     const Eigen::Vector3d half = solid.turn * Eigen::Vector3d(0, solid.length / 2, 0);
     Eigen::Vector3d from = solid.position - half, to = solid.position + half;
-    fields.vector("from", from, places);
-    fields.vector("to", to, places);
+    fields.vector("from", from, positionRange);
+    fields.vector("to", to, positionRange);
     if constexpr (Fields::reads) {
         solid.length = (to - from).norm();
         if (!(solid.length >= shortest)) fields.refuse("to", "is where from is; give two places");
@@ -117,7 +117,7 @@ void exchangeShape(Fields& fields, SolidDescription& solid) {
     if (solid.shape == Shape::capsule)
         exchangeEnds(fields, solid);
     else
-        fields.vector("position", solid.position, places);
+        fields.vector("position", solid.position, positionRange);
     if (solid.shape == Shape::ball || solid.shape == Shape::capsule)
         fields.number("radius", solid.radius, sizes);
     if (solid.shape == Shape::box) fields.vector("halfExtents", solid.halfExtents, sizes);
@@ -157,7 +157,7 @@ void exchangeSolid(Fields& fields, SolidDescription& solid) {
 
 template <typename Fields>
 void exchangeWater(Fields& fields, SprayDescription& spray) {
-    fields.vector("origin", spray.origin, places);
+    fields.vector("origin", spray.origin, positionRange);
     fields.vector("direction", spray.direction, directions, minDirection);
     angle(fields, "halfAngle", spray.halfAngle, {0.6, 85});
     fields.number("rate", spray.rate, {0, 1000});
@@ -168,10 +168,10 @@ void exchangeWater(Fields& fields, SprayDescription& spray) {
 template <typename Fields>
 void exchangeWater(Fields& fields, PoolDescription& pool) {
     constexpr Range everywhere{-1e9, 1e9};
-    fields.number("level", pool.level, places);
+    fields.number("level", pool.level, positionRange);
     fields.vector("leastCorner", pool.from, everywhere);
     fields.vector("greatestCorner", pool.to, everywhere);
-    fields.number("bottom", pool.bottom, places);
+    fields.number("bottom", pool.bottom, positionRange);
     if constexpr (Fields::reads) {
         if (!((pool.to - pool.from).minCoeff() > 0))
             fields.refuse("greatestCorner", "is not beyond leastCorner; give larger x and z");
@@ -183,7 +183,7 @@ void exchangeWater(Fields& fields, PoolDescription& pool) {
 
 template <typename Fields>
 void exchangeWater(Fields& fields, SoakDescription& soak) {
-    fields.vector("centre", soak.centre, places);
+    fields.vector("centre", soak.centre, positionRange);
     fields.number("radius", soak.radius, {1e-4, 1e9});
     fields.number("massPerArea", soak.massPerArea, {0, 1000});
     fields.number("duration", soak.duration, {0, 1e7});
@@ -191,7 +191,7 @@ void exchangeWater(Fields& fields, SoakDescription& soak) {
 
 template <typename Fields>
 void exchangeWater(Fields& fields, BrushDescription& brush) {
-    fields.vector("centre", brush.centre, places);
+    fields.vector("centre", brush.centre, positionRange);
     fields.number("radius", brush.radius, {1e-4, 100});
     fields.number("rate", brush.rate, {0, 1000});
 }

@@ -115,8 +115,8 @@ template <typename Fields>
 void exchangeState(Fields& fields, SheetDescription& sheet) {
     const auto all = [&](Fields& inner) {
         if (!sheet.state) sheet.state.emplace();
-        inner.places("positions", sheet.state->positions, {-1e5, 1e5});
-        inner.places("velocities", sheet.state->velocities, {-1e4, 1e4});
+        inner.vectors("positions", sheet.state->positions, {-1e5, 1e5});
+        inner.vectors("velocities", sheet.state->velocities, {-1e4, 1e4});
         inner.numbers("pores", sheet.state->pores, {0, 1e3});
         inner.numbers("film", sheet.state->film, {0, 1e3});
         checkState(inner, sheet);
@@ -138,7 +138,7 @@ void exchangeAll(Fields& fields, SheetDescription& sheet) {
     constexpr double minEdgeLength = 1e-3;
     fields.name("name", sheet.name);
     exchangeFabric(fields, sheet.fabric);
-    fields.vector("corner", sheet.corner, places);
+    fields.vector("corner", sheet.corner, positionRange);
     fields.vector("warp", sheet.warp, sides, minEdgeLength);
     fields.vector("weft", sheet.weft, sides, minEdgeLength);
     checkSides(fields, sheet);

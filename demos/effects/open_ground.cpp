@@ -20,8 +20,8 @@ void OpenGround::dry(double massPerArea) {
 
 void OpenGround::show(viewer::Picture& picture) const {
     if (!(covered_ > 0)) return;
-    const auto corner = [](const Eigen::Vector3d& place) {
-        return Eigen::Vector2f(float(place.x()), float(place.z()));
+    const auto corner = [](const Eigen::Vector3d& position) {
+        return Eigen::Vector2f(float(position.x()), float(position.z()));
     };
     picture.openGround.covered = float(covered_);
     picture.openGround.wetness = float(WetSpots::wetnessOf(massPerArea_ / covered_));

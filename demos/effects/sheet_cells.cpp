@@ -35,7 +35,7 @@ SheetCells::SheetCells(const btSoftBody& sheet) {
         const Eigen::Vector3d a = toEigen(corner[0]->m_x), b = toEigen(corner[1]->m_x),
                               c = toEigen(corner[2]->m_x);
         // Corners, middles of the sides, middle: no farther apart than a cell.
-        for (const Eigen::Vector3d& place : {a, b, c}) mark(place);
+        for (const Eigen::Vector3d& position : {a, b, c}) mark(position);
         for (const Eigen::Vector3d& sum :
              {Eigen::Vector3d(a + b), Eigen::Vector3d(b + c), Eigen::Vector3d(c + a)})
             mark(sum / 2);
@@ -49,8 +49,8 @@ std::size_t SheetCells::indexOf(const Eigen::Vector3i& cell) const {
            std::size_t(cell.x());
 }
 
-Eigen::Vector3i SheetCells::cellAt(const Eigen::Vector3d& place) const {
-    const Eigen::Vector3d inCells = (place - box_.min()) / size_;
+Eigen::Vector3i SheetCells::cellAt(const Eigen::Vector3d& position) const {
+    const Eigen::Vector3d inCells = (position - box_.min()) / size_;
     return inCells.array().floor().cast<int>().max(0).min(cells_.array() - 1);
 }
 
@@ -61,8 +61,8 @@ std::optional<double> SheetCells::firstMet(const Eigen::Vector3d& from, const Ei
     const int samples = 1 + int(std::ceil((to - from).norm() / (0.5 * size_)));
     for (int i = 0; i <= samples; ++i) {
         const double share = double(i) / samples;
-        const Eigen::Vector3d place = from + share * (to - from);
-        if (box_.contains(place) && taken_[indexOf(cellAt(place))] != 0) return share;
+        const Eigen::Vector3d position = from + share * (to - from);
+        if (box_.contains(position) && taken_[indexOf(cellAt(position))] != 0) return share;
     }
     return std::nullopt;
 }

@@ -21,8 +21,8 @@ class SheetCells {
 
   private:
     std::size_t indexOf(const Eigen::Vector3i& cell) const;
-    Eigen::Vector3i cellAt(const Eigen::Vector3d& place) const;
-    void mark(const Eigen::Vector3d& place) { taken_[indexOf(cellAt(place))] = 1; }
+    Eigen::Vector3i cellAt(const Eigen::Vector3d& position) const;
+    void mark(const Eigen::Vector3d& position) { taken_[indexOf(cellAt(position))] = 1; }
 
     // Of a cell, m: about the length of a link, or more for a sheet that spans far more than its links.
     double size_ = 0.02;

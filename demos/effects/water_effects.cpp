@@ -78,8 +78,8 @@ void WaterEffects::rain(double intensity, const Eigen::Vector3d& velocity,
 }
 
 void WaterEffects::spray(const Nozzle& nozzle) {
-    require(nozzle.place.allFinite() && nozzle.direction.allFinite() && nozzle.direction.norm() > 0,
-            "a nozzle is at ", nozzle.place, " m and points along ", nozzle.direction,
+    require(nozzle.position.allFinite() && nozzle.direction.allFinite() && nozzle.direction.norm() > 0,
+            "a nozzle is at ", nozzle.position, " m and points along ", nozzle.direction,
             "; give finite numbers, and a direction longer than 0");
     require(nozzle.halfAngle >= 0 && nozzle.halfAngle <= pi / 2, "the half angle of a nozzle is ",
             nozzle.halfAngle, " rad; give 0 to pi/2");
@@ -158,7 +158,7 @@ std::optional<WaterEffects::Hit> WaterEffects::hitAnything(const Eigen::Vector3d
                                                            const Eigen::Vector3d& to) const {
     std::optional<Hit> nearest = hitBody(from, to);
     for (const SheetCells& sheet : sheets_) {
-        const Eigen::Vector3d end = nearest ? nearest->place : to;
+        const Eigen::Vector3d end = nearest ? nearest->position : to;
         if (const auto share = sheet.firstMet(from, end))
             nearest = Hit{from + *share * (end - from), nullptr};
     }
@@ -166,9 +166,9 @@ std::optional<WaterEffects::Hit> WaterEffects::hitAnything(const Eigen::Vector3d
     return nearest;
 }
 
-const Eigen::AlignedBox3d* WaterEffects::poolRound(const Eigen::Vector3d& place) const {
+const Eigen::AlignedBox3d* WaterEffects::poolRound(const Eigen::Vector3d& position) const {
     for (const Eigen::AlignedBox3d& pool : pools_)
-        if (pool.contains(place)) return &pool;
+        if (pool.contains(position)) return &pool;
     return nullptr;
 }
 
@@ -213,7 +213,7 @@ void WaterEffects::beginDrop(double mass, double age) {
     if (hitBody(start - velocity * (shelterAbove / -velocity.y()), start)) return;
     const double longest = fallTime + farDown / -velocity.y();
     const std::optional<Hit> end = hitBody(start, start + velocity * longest);
-    const double left = end ? (end->place - start).norm() / velocity.norm() : fallTime;
+    const double left = end ? (end->position - start).norm() / velocity.norm() : fallTime;
     // Drops differ, as in Marshall and Palmer's law.
     const double size = -std::log(1 - random());
     rain_.push_back({start, velocity, left, end ? end->body : nullptr, size * mass});
@@ -251,13 +251,14 @@ void WaterEffects::emit(const Nozzle& nozzle, double frameTime) {
         const Eigen::Vector3d aside = axis.cross(randomDirection());
         const double angle = nozzle.halfAngle * std::sqrt(random());
         const Eigen::Vector3d way = std::cos(angle) * axis + std::sin(angle) * aside.normalized();
-        Bead drop{nozzle.place, nozzle.speed * random(0.75, 1.1) * way, random(0.3e-3, 1.1e-3),
+        Bead drop{nozzle.position, nozzle.speed * random(0.75, 1.1) * way, random(0.3e-3, 1.1e-3),
                   nozzle.rate * frameTime / count, sprayLife};
         if (!sprayEnds(drop, random(0, frameTime))) spray_.push_back(drop);
     }
     if (count == 0) return;
     showJet(nozzle);
-    if (random() < 10 * frameTime) addPuff(nozzle.place + 0.3 * axis, 0.35 * nozzle.speed * axis, 0.02, 0.05);
+    if (random() < 10 * frameTime)
+        addPuff(nozzle.position + 0.3 * axis, 0.35 * nozzle.speed * axis, 0.02, 0.05);
 }
 
 /// The water that still holds together where it leaves the nozzle: threads that part from each other and end one
@@ -271,9 +272,10 @@ void WaterEffects::showJet(const Nozzle& nozzle) {
         const Eigen::Vector3d aside = axis.cross(randomDirection()).normalized();
         const Eigen::Vector3d way = std::cos(angle) * axis + std::sin(angle) * aside;
         const double length = nozzle.speed * breakUp * random(0.3, 1);
-        const Eigen::Vector3d end = nozzle.place + length * way;
-        if (hitAnything(nozzle.place, end)) continue;
-        jets_.push_back({nozzle.place.cast<float>(), end.cast<float>(), float(random(1.5e-3, 4e-3)), 0.6f});
+        const Eigen::Vector3d end = nozzle.position + length * way;
+        if (hitAnything(nozzle.position, end)) continue;
+        jets_.push_back(
+            {nozzle.position.cast<float>(), end.cast<float>(), float(random(1.5e-3, 4e-3)), 0.6f});
     }
 }
 
@@ -286,8 +288,8 @@ bool WaterEffects::sprayEnds(Bead& drop, double time) {
     const std::optional<Hit> hit = hitAnything(from, drop.position);
     if (!hit) return drop.left <= 0;
     wet(*hit, drop.mass);
-    if (random() < 0.8) splash(hit->place, 0.6 * drop.velocity.norm());
-    if (random() < 0.03) addPuff(hit->place, 0.05 * drop.velocity.norm() * randomDirection(), 0.012, 0.06);
+    if (random() < 0.8) splash(hit->position, 0.6 * drop.velocity.norm());
+    if (random() < 0.03) addPuff(hit->position, 0.05 * drop.velocity.norm() * randomDirection(), 0.012, 0.06);
     return true;
 }
 
@@ -312,18 +314,19 @@ void WaterEffects::drift(double frameTime, const Air& air) {
 }
 
 /// One to four small drops that are gone when they are back at the height where they began.
-void WaterEffects::splash(const Eigen::Vector3d& place, double vigour) {
+void WaterEffects::splash(const Eigen::Vector3d& position, double vigour) {
     const int count = 1 + int(random(0, 4));
     for (int i = 0; i < count && splashes_.size() < limits_.drops; ++i) {
         const double angle = random(0, 2 * pi), outwards = vigour * random(0.08, 0.25);
         const double upwards = std::min(vigour * random(0.2, 0.5), 1.6);
         const Eigen::Vector3d velocity(outwards * std::cos(angle), upwards, outwards * std::sin(angle));
-        splashes_.push_back({place, velocity, random(0.3e-3, 0.9e-3), 0, 2 * upwards / -gravityVector.y()});
+        splashes_.push_back(
+            {position, velocity, random(0.3e-3, 0.9e-3), 0, 2 * upwards / -gravityVector.y()});
     }
 }
 
 void WaterEffects::wet(const Hit& hit, double mass) {
-    if (hit.body != nullptr) spots_.wet(*hit.body, hit.place, mass, float(random()));
+    if (hit.body != nullptr) spots_.wet(*hit.body, hit.position, mass, float(random()));
 }
 
 void WaterEffects::addPuff(const Eigen::Vector3d& centre, const Eigen::Vector3d& velocity, double radius,

@@ -96,7 +96,7 @@ class WaterEffects {
     };
     /// Where a way through the air ends.
     struct Hit {
-        Eigen::Vector3d place;
+        Eigen::Vector3d position;
         const btCollisionObject* body;  // none for a sheet or a pool
     };
 
@@ -105,7 +105,7 @@ class WaterEffects {
     Eigen::Vector3d randomDirection();
     std::optional<Hit> hitBody(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
     std::optional<Hit> hitAnything(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
-    const Eigen::AlignedBox3d* poolRound(const Eigen::Vector3d& place) const;
+    const Eigen::AlignedBox3d* poolRound(const Eigen::Vector3d& position) const;
     void findSheets();
     void beginRain(double frameTime);
     void beginDrop(double mass, double age);
@@ -115,7 +115,7 @@ class WaterEffects {
     bool sprayEnds(Bead& drop, double time);
     void flySplashes(double frameTime);
     void drift(double frameTime, const Air& air);
-    void splash(const Eigen::Vector3d& place, double vigour);
+    void splash(const Eigen::Vector3d& position, double vigour);
     void wet(const Hit& hit, double mass);
     void addPuff(const Eigen::Vector3d& centre, const Eigen::Vector3d& velocity, double radius,
                  double density);

@@ -20,8 +20,8 @@ Nozzle nozzleFor(const Pointer& pointer, double aimDistance) {
     Nozzle nozzle;
     nozzle.halfAngle = 0.08;
     nozzle.rate = 0.1;
-    nozzle.place = aim - distance * (0.8 * sight - 0.45 * right + 0.4 * Eigen::Vector3d::UnitY());
-    nozzle.direction = (aim - nozzle.place).normalized();
+    nozzle.position = aim - distance * (0.8 * sight - 0.45 * right + 0.4 * Eigen::Vector3d::UnitY());
+    nozzle.direction = (aim - nozzle.position).normalized();
     return nozzle;
 }
 
@@ -62,10 +62,10 @@ void Hand::spray(const std::vector<Graspable>& sheets, const Pointer& pointer, d
 void Hand::show(viewer::Picture& picture) const {
     if (!nozzle_) return;
     const Eigen::Vector3d along = nozzle_->direction.normalized();
-    const Eigen::Vector3d neck = nozzle_->place - 0.06 * along;
+    const Eigen::Vector3d neck = nozzle_->position - 0.06 * along;
     const Eigen::Vector3d grip = neck - 0.16 * along - 0.06 * Eigen::Vector3d::UnitY();
     picture.rods.push_back(
-        {neck.cast<float>(), nozzle_->place.cast<float>(), 0.012f, Eigen::Vector3f(0.55f, 0.42f, 0.15f)});
+        {neck.cast<float>(), nozzle_->position.cast<float>(), 0.012f, Eigen::Vector3f(0.55f, 0.42f, 0.15f)});
     picture.rods.push_back(
         {grip.cast<float>(), neck.cast<float>(), 0.018f, Eigen::Vector3f(0.04f, 0.10f, 0.05f)});
 }

@@ -47,7 +47,7 @@ Hose::Stream& Hose::streamTo(WetCloth& cloth) {
 void Hose::spray(const std::vector<Graspable>& sheets, const Nozzle& nozzle, double frameTime) {
     for (const Graspable& sheet : sheets) {
         Stream& stream = streamTo(*sheet.cloth);
-        stream.spray.origin = nozzle.place;
+        stream.spray.origin = nozzle.position;
         stream.spray.direction = nozzle.direction;
         stream.spray.halfAngle = nozzle.halfAngle;
         stream.spray.rate = nozzle.rate;

@@ -31,11 +31,11 @@ Silhouette::Silhouette(const btSoftBody& sheet, const Eigen::Vector2d& centre, d
       covered_(std::size_t(pixels) * std::size_t(pixels), 0) {
     for (int f = 0; f < sheet.m_faces.size(); ++f) {
         const auto& corners = sheet.m_faces[f].m_n;
-        cover(place(corners[0]->m_x), place(corners[1]->m_x), place(corners[2]->m_x));
+        cover(projected(corners[0]->m_x), projected(corners[1]->m_x), projected(corners[2]->m_x));
     }
 }
 
-Eigen::Vector2d Silhouette::place(const btVector3& position) const {
+Eigen::Vector2d Silhouette::projected(const btVector3& position) const {
     const Eigen::Vector2d flat(double(position.x()), double(position.z()));
     return (flat - centre_ + Eigen::Vector2d::Constant(reach_)) / pixelSize();
 }

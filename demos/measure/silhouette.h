@@ -28,7 +28,7 @@ class Silhouette {
   private:
     void cover(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
     /// In pixels from the square's corner.
-    Eigen::Vector2d place(const btVector3& position) const;
+    Eigen::Vector2d projected(const btVector3& position) const;
     double pixelSize() const { return 2 * reach_ / pixels_; }
 
     Eigen::Vector2d centre_;

@@ -163,10 +163,10 @@ class Clothesline final : public StagedScene {
             pegs_.push_back(int(std::lround(double(peg) * (nodes - 2) / gaps)));
         for (int j = 0; j < cloth().nodesWeft(); ++j)
             for (int i = 0; i < nodes; ++i) {
-                btVector3 place = cloth().node(i, j).m_x;
-                place.setX(place.x() * btScalar(1 - slack));
-                place.setZ(btScalar(rippleDepth(double(i))));
-                cloth().place(i, j, place);
+                btVector3 position = cloth().node(i, j).m_x;
+                position.setX(position.x() * btScalar(1 - slack));
+                position.setZ(btScalar(rippleDepth(double(i))));
+                cloth().place(i, j, position);
             }
         for (const int peg : pegs_)
             for (const int i : {peg, peg + 1}) cloth().node(i, 0).m_im = 0;

@@ -56,10 +56,10 @@ viewer::SheetMesh cylinder(const Eigen::Vector3f& foot, float radius, float heig
     viewer::SheetMesh mesh;
     for (std::uint32_t i = 0; i < corners; ++i) {
         const float angle = 2 * float(pi) * float(i) / float(corners);
-        const Eigen::Vector3f place = foot + radius * Eigen::Vector3f(std::cos(angle), 0, std::sin(angle));
+        const Eigen::Vector3f position = foot + radius * Eigen::Vector3f(std::cos(angle), 0, std::sin(angle));
         const std::uint32_t next = (i + 1) % corners;
-        mesh.positions.push_back(place);
-        mesh.positions.emplace_back(place + Eigen::Vector3f(0, height, 0));
+        mesh.positions.push_back(position);
+        mesh.positions.emplace_back(position + Eigen::Vector3f(0, height, 0));
         mesh.triangles.push_back({2 * i, 2 * i + 1, 2 * next + 1});
         mesh.triangles.push_back({2 * i, 2 * next + 1, 2 * next});
     }

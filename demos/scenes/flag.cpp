@@ -64,9 +64,10 @@ class Flag final : public StagedScene {
             const double fly = cloth.madeFrom().warp.norm(), hoistAt = cloth.madeFrom().corner.x();
             for (int j = 0; j < cloth_.nodesWeft(); ++j)
                 for (int i = 0; i < cloth_.nodesWarp(); ++i) {
-                    btVector3 place = cloth_.node(i, j).m_x;
-                    place.setZ(btScalar(swingOut * std::sin(2 * pi * (double(place.x()) - hoistAt) / fly)));
-                    cloth_.place(i, j, place);
+                    btVector3 position = cloth_.node(i, j).m_x;
+                    position.setZ(
+                        btScalar(swingOut * std::sin(2 * pi * (double(position.x()) - hoistAt) / fly)));
+                    cloth_.place(i, j, position);
                 }
         }
 

@@ -161,7 +161,7 @@ class Spill final : public StagedScene {
 
     Stain stain() const {
         const Moisture& moisture = cloth().wet().moisture();
-        const auto& places = cloth().wet().materialCoordinates();
+        const auto& positions = cloth().wet().materialCoordinates();
         Stain stain;
         double held = 0, capacity = 0;
         Eigen::Vector2d sum(0, 0), squares(0, 0);
@@ -169,8 +169,8 @@ class Spill final : public StagedScene {
             if (!(moisture.saturation(n) > stained)) continue;
             const double area = moisture.area(n);
             stain.area += area;
-            sum += area * places[n];
-            squares += area * places[n].cwiseProduct(places[n]);
+            sum += area * positions[n];
+            squares += area * positions[n].cwiseProduct(positions[n]);
             held += moisture.poreMass()[n];
             capacity += moisture.poreCapacity(n);
         }
@@ -190,10 +190,10 @@ class Spill final : public StagedScene {
         double deepest = 0;
         const double top = table_.position.y() + table_.halfExtents.y();
         for (int n = 0; n < cloth().body().m_nodes.size(); ++n) {
-            const btVector3& place = cloth().body().m_nodes[n].m_x;
-            const double toEdge =
-                table_.halfExtents.x() - std::max(std::abs(double(place.x())), std::abs(double(place.z())));
-            deepest = std::max(deepest, std::min(toEdge, top - double(place.y())));
+            const btVector3& position = cloth().body().m_nodes[n].m_x;
+            const double toEdge = table_.halfExtents.x() -
+                                  std::max(std::abs(double(position.x())), std::abs(double(position.z())));
+            deepest = std::max(deepest, std::min(toEdge, top - double(position.y())));
         }
         return deepest;
     }
@@ -204,10 +204,10 @@ class Spill final : public StagedScene {
         const Eigen::Vector3f china(0.75f, 0.74f, 0.70f), spout = spout_.cast<float>();
         const Eigen::Vector3f axis(0.86f, 0.51f, 0), upwards(-0.51f, 0.86f, 0);
         const auto piece = [&](const Eigen::Vector2f& from, const Eigen::Vector2f& to, float radius) {
-            const auto place = [&](const Eigen::Vector2f& at) -> Eigen::Vector3f {
+            const auto position = [&](const Eigen::Vector2f& at) -> Eigen::Vector3f {
                 return spout + at.x() * axis + at.y() * upwards;
             };
-            picture.rods.push_back({place(from), place(to), radius, china, viewer::Material::paint});
+            picture.rods.push_back({position(from), position(to), radius, china, viewer::Material::paint});
         };
         piece({0.105f, 0}, {0.20f, 0}, 0.052f);
         piece({0.075f, 0}, {0.12f, 0}, 0.037f);

@@ -77,13 +77,13 @@ viewer::SheetMesh sheetMesh(const btSoftBody& body, const Eigen::Vector3f& albed
 viewer::SheetMesh sheetMesh(const btSoftBody& body, const WetCloth& cloth, View view) {
     viewer::SheetMesh mesh = sheetMesh(body, Eigen::Vector3f::Zero());
     for (int n = 0; n < body.m_nodes.size(); ++n) {
-        const auto place = static_cast<std::size_t>(n);
+        const auto index = static_cast<std::size_t>(n);
         const Colour albedo = cloth.albedo(n);
-        mesh.albedo[place] = {float(albedo[0]), float(albedo[1]), float(albedo[2])};
-        mesh.gloss[place] = float(cloth.gloss(n));
+        mesh.albedo[index] = {float(albedo[0]), float(albedo[1]), float(albedo[2])};
+        mesh.gloss[index] = float(cloth.gloss(n));
         mesh.dampness.push_back(float(cloth.saturation(n)));
         mesh.transmittance.push_back(float(cloth.transmittance(n)));
-        mesh.clothCoordinates.emplace_back(cloth.materialCoordinates()[place].cast<float>());
+        mesh.clothCoordinates.emplace_back(cloth.materialCoordinates()[index].cast<float>());
     }
     mesh.weave = weaveOf(cloth.fabric().construction);
     mesh.threadSpacing = float(cloth.fabric().threadSpacing);

@@ -148,7 +148,7 @@ SheetDescription SceneCloth::describe() const {
     return now;
 }
 
-Eigen::Vector2d SceneCloth::flatPlace(int node) const {
+Eigen::Vector2d SceneCloth::flatPosition(int node) const {
     const int i = node % nodesWarp(), j = node / nodesWarp();
     return {double(i) / (nodesWarp() - 1) * description_.warp.norm(),
             double(j) / (nodesWeft() - 1) * description_.weft.norm()};

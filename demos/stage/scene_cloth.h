@@ -53,7 +53,7 @@ class SceneCloth {
     /// Puts a node elsewhere without giving it a velocity.
     void place(int i, int j, const btVector3& position);
     /// Where a node is in the flat sheet, from its corner along warp and weft, m.
-    Eigen::Vector2d flatPlace(int node) const;
+    Eigen::Vector2d flatPosition(int node) const;
 
     /// The sheet as it is now.
     /// @throws std::runtime_error for one that is not a rectangle

@@ -7,19 +7,19 @@ namespace drench::demo {
 namespace {
 
 btRigidBody& addTo(SceneWorld& world, const SolidDescription& solid) {
-    const btVector3 place = toBullet(solid.position);
+    const btVector3 position = toBullet(solid.position);
     const btQuaternion turn = toBullet(solid.turn);
     switch (solid.shape) {
         case SolidDescription::Shape::box:
-            return world.addBox(place, toBullet(solid.halfExtents), turn, solid.mass);
+            return world.addBox(position, toBullet(solid.halfExtents), turn, solid.mass);
         case SolidDescription::Shape::capsule:
-            return world.addCapsule(place, solid.radius, solid.length, turn, solid.mass);
+            return world.addCapsule(position, solid.radius, solid.length, turn, solid.mass);
         case SolidDescription::Shape::ground:
             return world.addGround(solid.position.y());
         case SolidDescription::Shape::ball:
             break;
     }
-    return world.addBall(place, solid.radius, solid.mass);
+    return world.addBall(position, solid.radius, solid.mass);
 }
 
 /// Gives what is shown the colour and the material that are wanted, if any are.
@@ -38,10 +38,10 @@ StageSolid::StageSolid(SceneWorld& world, const SolidDescription& description) :
     body_->setFriction(btScalar(description_.friction));
     if (!(description_.mass > 0) || description_.shape == SolidDescription::Shape::ground) return;
     if (description_.shape == SolidDescription::Shape::ball) {
-        btTransform place = body_->getWorldTransform();
-        place.setRotation(toBullet(description_.turn));
-        body_->setWorldTransform(place);
-        body_->setInterpolationWorldTransform(place);
+        btTransform transform = body_->getWorldTransform();
+        transform.setRotation(toBullet(description_.turn));
+        body_->setWorldTransform(transform);
+        body_->setInterpolationWorldTransform(transform);
         body_->updateInertiaTensor();
     }
     body_->setLinearVelocity(toBullet(description_.velocity));
@@ -62,22 +62,23 @@ SolidDescription StageSolid::describe() const {
 void StageSolid::show(viewer::Picture& picture) const {
     if (!description_.seen) return;
     const SolidDescription now = describe();
-    const Eigen::Vector3f place = now.position.cast<float>();
+    const Eigen::Vector3f position = now.position.cast<float>();
     const Eigen::Quaternionf turn = now.turn.cast<float>();
     switch (now.shape) {
         case SolidDescription::Shape::ball:
-            picture.balls.push_back(dressed(viewer::Ball{place, float(now.radius), turn}, now));
+            picture.balls.push_back(dressed(viewer::Ball{position, float(now.radius), turn}, now));
             break;
         case SolidDescription::Shape::box:
-            picture.boxes.push_back(dressed(viewer::Box{place, now.halfExtents.cast<float>(), turn}, now));
+            picture.boxes.push_back(dressed(viewer::Box{position, now.halfExtents.cast<float>(), turn}, now));
             break;
         case SolidDescription::Shape::capsule: {
             const Eigen::Vector3f half = turn * Eigen::Vector3f(0, float(now.length) / 2, 0);
-            picture.rods.push_back(dressed(viewer::Rod{place - half, place + half, float(now.radius)}, now));
+            picture.rods.push_back(
+                dressed(viewer::Rod{position - half, position + half, float(now.radius)}, now));
             break;
         }
         case SolidDescription::Shape::ground:
-            picture.groundHeight = place.y();
+            picture.groundHeight = position.y();
             break;
     }
 }

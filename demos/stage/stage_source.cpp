@@ -11,7 +11,7 @@ namespace {
 std::vector<std::size_t> nodesWithin(const SoakDescription& soak, const SceneCloth& sheet) {
     std::vector<std::size_t> nodes;
     for (int n = 0; n < sheet.body().m_nodes.size(); ++n)
-        if ((sheet.flatPlace(n) - soak.centre).norm() <= soak.radius) nodes.push_back(std::size_t(n));
+        if ((sheet.flatPosition(n) - soak.centre).norm() <= soak.radius) nodes.push_back(std::size_t(n));
     return nodes;
 }
 

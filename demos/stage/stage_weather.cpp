@@ -11,8 +11,8 @@ namespace {
 class LaterWind final : public WindField {
   public:
     LaterWind(std::shared_ptr<const WindField> wind, double ahead) : wind_(std::move(wind)), ahead_(ahead) {}
-    Eigen::Vector3d velocity(const Eigen::Vector3d& place, double time) const override {
-        return wind_->velocity(place, time + ahead_);
+    Eigen::Vector3d velocity(const Eigen::Vector3d& position, double time) const override {
+        return wind_->velocity(position, time + ahead_);
     }
     double length() const override { return wind_->length(); }
 

@@ -344,9 +344,9 @@ bool Panel::show(const FrameState& now, PanelState& state, Simulation& simulatio
 void chooseNeighbour(PanelState& state, int step) {
     const int count = int(scenes().size());
     if (count == 0) return;
-    int place = 0;
-    while (place < count && scenes()[std::size_t(place)].name != state.scene) ++place;
-    const SceneEntry& next = scenes()[std::size_t((place + step + count) % count)];
+    int index = 0;
+    while (index < count && scenes()[std::size_t(index)].name != state.scene) ++index;
+    const SceneEntry& next = scenes()[std::size_t((index + step + count) % count)];
     chooseScene(state, next);
 }
 

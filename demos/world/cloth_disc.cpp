@@ -40,10 +40,10 @@ class Grid {
   private:
     /// -1 outside.
     int node(int i, int j) {
-        const Eigen::Vector2d place(i * cell_, j * cell_);
-        if (place.norm() > radius_) return -1;
+        const Eigen::Vector2d position(i * cell_, j * cell_);
+        if (position.norm() > radius_) return -1;
         const auto [found, isNew] = index_.emplace(std::array<int, 2>{i, j}, int(mesh_.nodes.size()));
-        if (isNew) mesh_.nodes.push_back(place);
+        if (isNew) mesh_.nodes.push_back(position);
         return found->second;
     }
 
@@ -152,8 +152,8 @@ class Strip {
     }
 
     double cost(const std::array<int, 3>& triangle) const {
-        const auto& place = [&](std::size_t k) { return mesh_.nodes[std::size_t(triangle[k])]; };
-        const double good = quality(place(0), place(1), place(2));
+        const auto& position = [&](std::size_t k) { return mesh_.nodes[std::size_t(triangle[k])]; };
+        const double good = quality(position(0), position(1), position(2));
         return good > 0.02 ? 1 / good : 1e6 * (1 - good);
     }
 
@@ -190,11 +190,11 @@ DiscMesh discMesh(double radius, int nodesAcross, double innerRadius) {
 
 std::unique_ptr<btSoftBody> makeDisc(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
                                      const DiscMesh& mesh, const btVector3& centre) {
-    std::vector<btVector3> places;
-    places.reserve(mesh.nodes.size());
+    std::vector<btVector3> positions;
+    positions.reserve(mesh.nodes.size());
     for (const Eigen::Vector2d& node : mesh.nodes)
-        places.push_back(centre + btVector3(btScalar(node.x()), 0, btScalar(node.y())));
-    auto body = std::make_unique<btSoftBody>(&worldInfo, int(places.size()), places.data(), nullptr);
+        positions.push_back(centre + btVector3(btScalar(node.x()), 0, btScalar(node.y())));
+    auto body = std::make_unique<btSoftBody>(&worldInfo, int(positions.size()), positions.data(), nullptr);
     std::vector<double> masses(mesh.nodes.size(), 0);
     double area = 0;
     for (const auto& triangle : mesh.triangles) {

@@ -32,11 +32,12 @@ btRigidBody& SceneWorld::addCapsule(const btVector3& centre, double radius, doub
                btTransform(turn, centre), mass);
 }
 
-btRigidBody& SceneWorld::add(std::unique_ptr<btCollisionShape> shape, const btTransform& place, double mass) {
+btRigidBody& SceneWorld::add(std::unique_ptr<btCollisionShape> shape, const btTransform& transform,
+                             double mass) {
     btVector3 inertia(0, 0, 0);
     if (mass > 0) shape->calculateLocalInertia(btScalar(mass), inertia);
     btRigidBody::btRigidBodyConstructionInfo info(btScalar(mass), nullptr, shape.get(), inertia);
-    info.m_startWorldTransform = place;
+    info.m_startWorldTransform = transform;
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     shapes_.push_back(std::move(shape));
     world().addRigidBody(bodies_.back().get());

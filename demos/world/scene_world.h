@@ -59,7 +59,7 @@ class SceneWorld {
     SceneWorld() = default;
 
   private:
-    btRigidBody& add(std::unique_ptr<btCollisionShape> shape, const btTransform& place, double mass);
+    btRigidBody& add(std::unique_ptr<btCollisionShape> shape, const btTransform& transform, double mass);
 
     // They outlive the world, which is a member of the classes derived from this.
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;

@@ -21,9 +21,9 @@ class DRENCH_API WindField {
     ///
     /// If it throws a std::exception or returns an invalid velocity, the last valid air is used, and this is reported
     /// as `Trouble::air`; with `OnTrouble::throwError` it leaves the step.
-    /// @param place  position in the world, m
-    /// @param time   of the body since its WetCloth was made, s
-    virtual Eigen::Vector3d velocity(const Eigen::Vector3d& place, double time) const = 0;
+    /// @param position  in the world, m
+    /// @param time      of the body since its WetCloth was made, s
+    virtual Eigen::Vector3d velocity(const Eigen::Vector3d& position, double time) const = 0;
 
     /// Largest distance over which the velocity may be interpolated, m; above 0; infinite for a uniform wind.
     virtual double length() const = 0;
@@ -55,7 +55,7 @@ class DRENCH_API Gusts final : public WindField {
     /// @throws std::invalid_argument that names the value and its range
     Gusts(const Eigen::Vector3d& mean, double intensity, double lengthScale, std::uint32_t seed = 1);
 
-    Eigen::Vector3d velocity(const Eigen::Vector3d& place, double time) const override;
+    Eigen::Vector3d velocity(const Eigen::Vector3d& position, double time) const override;
     /// A twentieth of the length scale: waves longer than twice that have 95 % of the energy.
     double length() const override;
 

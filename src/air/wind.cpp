@@ -94,8 +94,8 @@ Gusts::Gusts(const Eigen::Vector3d& mean, double intensity, double lengthScale, 
         }
 }
 
-Eigen::Vector3d Gusts::velocity(const Eigen::Vector3d& place, double time) const {
-    const Eigen::Vector3d carried = place - time * mean_;
+Eigen::Vector3d Gusts::velocity(const Eigen::Vector3d& position, double time) const {
+    const Eigen::Vector3d carried = position - time * mean_;
     const double right = carried.x(), up = carried.y(), near = carried.z();
     double x = 0, y = 0, z = 0;
 #pragma omp simd reduction(+ : x, y, z)

@@ -80,9 +80,9 @@ Jumps jumpsOf(const ClothMesh& mesh, const MeshEdges& edges, std::size_t triangl
         weight(own.to) = -length * (own.foot / own.height + other.foot / other.height);
 
         // The neighbour laid flat beside the triangle; at a seam their coordinates lie apart.
-        const Eigen::Vector2d farPlace = from + other.foot * along + other.height * outward;
+        const Eigen::Vector2d farPosition = from + other.foot * along + other.height * outward;
         jumps.ofCurvature.row(row) =
-            0.5 * (weight(far) * square(farPlace - from) + weight(apex) * square(corners[apex] - from) +
+            0.5 * (weight(far) * square(farPosition - from) + weight(apex) * square(corners[apex] - from) +
                    weight(own.to) * square(along));
         jumps.balanced.col(row) = 2 * square(outward) / (length * (own.height + other.height));
     }

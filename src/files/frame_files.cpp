@@ -61,9 +61,9 @@ void writeCsv(const std::filesystem::path& path, double time, const std::vector<
             "green,blue\n";
     for (const ClothFrame& sheet : sheets)
         for (std::size_t n = 0; n < sheet.positions.size(); ++n) {
-            const Eigen::Vector3f &place = sheet.positions[n], &colour = sheet.colours[n];
-            text << time << ',' << sheet.name << ',' << n << ',' << place.x() << ',' << place.y() << ','
-                 << place.z() << ',' << sheet.masses[n] << ',' << sheet.poreMasses[n] << ','
+            const Eigen::Vector3f &position = sheet.positions[n], &colour = sheet.colours[n];
+            text << time << ',' << sheet.name << ',' << n << ',' << position.x() << ',' << position.y() << ','
+                 << position.z() << ',' << sheet.masses[n] << ',' << sheet.poreMasses[n] << ','
                  << sheet.filmMasses[n] << ',' << sheet.filmThicknesses[n] << ',' << sheet.contents[n] << ','
                  << sheet.saturations[n] << ',' << colour.x() << ',' << colour.y() << ',' << colour.z()
                  << '\n';

@@ -53,11 +53,11 @@ const nlohmann::json* FieldReader::any(const std::string& key) {
     return found == object_.end() ? nullptr : &*found;
 }
 
-double FieldReader::numberAt(const nlohmann::json& list, std::size_t place, const std::string& key,
+double FieldReader::numberAt(const nlohmann::json& list, std::size_t index, const std::string& key,
                              const Range& range) const {
-    const nlohmann::json& value = list[place];
+    const nlohmann::json& value = list[index];
     if (isWithin(value, range)) return value.get<double>();
-    refuse(textOf(key, '[', place, ']'), "is ", shown(value), "; give a number, ", between(range));
+    refuse(textOf(key, '[', index, ']'), "is ", shown(value), "; give a number, ", between(range));
 }
 
 void FieldReader::checkList(const std::string& key, const nlohmann::json& value, const char* of) const {
@@ -115,7 +115,7 @@ void FieldReader::numbers(const std::string& key, std::vector<double>& values, c
     for (std::size_t i = 0; i < found->size(); ++i) values.push_back(numberAt(*found, i, key, range));
 }
 
-void FieldReader::places(const std::string& key, std::vector<Eigen::Vector3d>& values, const Range& range) {
+void FieldReader::vectors(const std::string& key, std::vector<Eigen::Vector3d>& values, const Range& range) {
     std::vector<double> flat;
     numbers(key, flat, range);
     if (flat.size() % 3 != 0) refuse(key, "is a list of ", flat.size(), "; give three numbers for each node");
@@ -136,7 +136,7 @@ void FieldReader::refuseUnknown(const std::string& key) const {
            nearest ? "did you mean " + *nearest + "? There are " : "there are ", known);
 }
 
-void FieldWriter::places(const std::string& key, const std::vector<Eigen::Vector3d>& values, const Range&) {
+void FieldWriter::vectors(const std::string& key, const std::vector<Eigen::Vector3d>& values, const Range&) {
     std::vector<double> flat;
     for (const Eigen::Vector3d& value : values) flat.insert(flat.end(), value.data(), value.data() + 3);
     object_[key] = flat;

@@ -43,7 +43,7 @@ class FieldReader {
     void vector(const std::string& key, Eigen::Matrix<double, Size, 1>& value, const Range& range,
                 double minLength = 0);
     void numbers(const std::string& key, std::vector<double>& values, const Range& range);
-    void places(const std::string& key, std::vector<Eigen::Vector3d>& values, const Range& range);
+    void vectors(const std::string& key, std::vector<Eigen::Vector3d>& values, const Range& range);
     template <typename Value>
     void choice(const std::string& key, Value& value, const Names<Value>& names);
     /// Hands the fields of an object to a function, if it is there.
@@ -65,7 +65,7 @@ class FieldReader {
 
   private:
     /// The number at a place in a list.
-    double numberAt(const nlohmann::json& list, std::size_t place, const std::string& key,
+    double numberAt(const nlohmann::json& list, std::size_t index, const std::string& key,
                     const Range& range) const;
     [[noreturn]] void refuseUnknown(const std::string& key) const;
     void checkList(const std::string& key, const nlohmann::json& value, const char* of) const;
@@ -97,7 +97,7 @@ class FieldWriter {
     void numbers(const std::string& key, const std::vector<double>& values, const Range&) {
         object_[key] = values;
     }
-    void places(const std::string& key, const std::vector<Eigen::Vector3d>& values, const Range&);
+    void vectors(const std::string& key, const std::vector<Eigen::Vector3d>& values, const Range&);
     template <typename Value>
     void choice(const std::string& key, const Value& value, const Names<Value>& names) {
         for (const auto& [name, meaning] : names)

@@ -84,9 +84,9 @@ std::string shortened(const std::string& text) {
 std::string reason(const std::string& message) {
     std::size_t from = message.find("] ");
     from = from == std::string::npos ? 0 : from + 2;
-    const std::size_t place = message.find("parse error at", from);
-    if (place != std::string::npos) {
-        const std::size_t end = message.find(": ", place);
+    const std::size_t position = message.find("parse error at", from);
+    if (position != std::string::npos) {
+        const std::size_t end = message.find(": ", position);
         if (end != std::string::npos) from = end + 2;
     }
     return shortened(message.substr(from));

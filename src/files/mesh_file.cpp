@@ -69,16 +69,16 @@ class Gatherer {
                 {texture(corners[0]), texture(corners[1]), texture(corners[2])});
     }
 
-    Eigen::Vector3d place(int vertex) const {
+    Eigen::Vector3d position(int vertex) const {
         const double* const at = &attributes_.vertices[3 * static_cast<std::size_t>(vertex)];
         return reading_.scale * Eigen::Vector3d(at[0], at[1], at[2]);
     }
 
     /// A height over its longest side of less than a millionth of that side is none.
     bool hasArea(const Corners& corners) const {
-        const Eigen::Vector3d origin = place(corners[0].vertex_index);
-        const Eigen::Vector3d a = place(corners[1].vertex_index) - origin,
-                              b = place(corners[2].vertex_index) - origin;
+        const Eigen::Vector3d origin = position(corners[0].vertex_index);
+        const Eigen::Vector3d a = position(corners[1].vertex_index) - origin,
+                              b = position(corners[2].vertex_index) - origin;
         const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
         return a.cross(b).norm() > 1e-6 * longest;
     }
@@ -92,7 +92,7 @@ class Gatherer {
     void numberNodes() {
         for (auto& [number, node] : nodes_) {
             node = static_cast<int>(file_.mesh.vertices.size());
-            file_.mesh.vertices.push_back(place(number - 1));
+            file_.mesh.vertices.push_back(position(number - 1));
             file_.vertexInFile.push_back(number);
         }
         for (auto& triangle : file_.mesh.triangles)

@@ -54,9 +54,9 @@ struct Between {
 };
 
 // @param place  0 at the first pixel's outer edge, 1 at the last one's
-Between between(double place, int pixels) {
+Between between(double position, int pixels) {
     const double last = pixels - 1;
-    const double centred = std::clamp(place * pixels - 0.5, 0.0, last);
+    const double centred = std::clamp(position * pixels - 0.5, 0.0, last);
     const double first = std::floor(centred);
     return {static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(first + 1, last)),
             centred - first};
@@ -75,16 +75,16 @@ void checkFormat(const std::filesystem::path& path, const std::vector<char>& byt
 void checkParts(const std::filesystem::path& path, const std::vector<char>& bytes) {
     constexpr std::size_t signature = 8, around = 12;  // bytes: before the parts, and of each one's frame
     if (bytes[0] == 'B' || bytes[0] == '\xff') return;
-    const auto byte = [&](std::size_t place) {
-        return std::size_t(static_cast<unsigned char>(bytes[place]));
+    const auto byte = [&](std::size_t position) {
+        return std::size_t(static_cast<unsigned char>(bytes[position]));
     };
-    for (std::size_t place = signature; place + around <= bytes.size();) {
+    for (std::size_t position = signature; position + around <= bytes.size();) {
         const std::size_t length =
-            byte(place) << 24 | byte(place + 1) << 16 | byte(place + 2) << 8 | byte(place + 3);
-        if (length > bytes.size() - place - around)
+            byte(position) << 24 | byte(position + 1) << 16 | byte(position + 2) << 8 | byte(position + 3);
+        if (length > bytes.size() - position - around)
             throw unreadable(path,
                              "it is no picture that can be read here (it ends too early); give a whole PNG");
-        place += length + around;
+        position += length + around;
     }
 }
 

@@ -82,11 +82,11 @@ void Pool::supply(const SheetPose& sheet, double dt, Supply& supply) {
     if (sheet.up.isZero() || !(sheet.gravity > 0)) return;
     const auto sides = sidesAcross(sheet.up);
     for (std::size_t node = 0; node < sheet.mesh.size(); ++node) {
-        const Eigen::Vector3d& place = sheet.positions[node];
-        const Eigen::Vector2d across(place.dot(sides[0]), place.dot(sides[1]));
+        const Eigen::Vector3d& position = sheet.positions[node];
+        const Eigen::Vector2d across(position.dot(sides[0]), position.dot(sides[1]));
         const bool inside = (across.array() >= from.array()).all() && (across.array() <= to.array()).all();
         if (!inside || !(sheet.mesh.areas[node] > 0)) continue;
-        const double depth = level - place.dot(sheet.up), share = shareUnderWater(depth);
+        const double depth = level - position.dot(sheet.up), share = shareUnderWater(depth);
         if (!(share > 0)) continue;
         if (dt > 0 && touches(depth, share, sheet)) wet(sheet, node, dt, supply);
         supply.submerge(node, depth, Eigen::Vector3d::Zero());

@@ -45,8 +45,8 @@ double randomCount(double mean, std::mt19937& random) {
 
 bool sheltered(const SheetPose& sheet, std::size_t node, const Eigen::Vector3d& fall, double height) {
     if (height <= rayStart) return false;
-    const Eigen::Vector3d& place = sheet.positions[node];
-    return sheet.shelter.blocked(place - rayStart * fall, place - height * fall);
+    const Eigen::Vector3d& position = sheet.positions[node];
+    return sheet.shelter.blocked(position - rayStart * fall, position - height * fall);
 }
 
 }  // namespace

@@ -33,8 +33,9 @@ std::vector<double> valuesOfNodes(const Mask& mask, const ClothMesh& mesh) {
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const auto node = static_cast<std::size_t>(mesh.triangles[triangle][corner]);
-            const Eigen::Vector2d place = (mesh.coordinates[triangle][corner] - min).cwiseQuotient(max - min);
-            sums[node] += mask.at(place.x(), place.y());
+            const Eigen::Vector2d position =
+                (mesh.coordinates[triangle][corner] - min).cwiseQuotient(max - min);
+            sums[node] += mask.at(position.x(), position.y());
             counts[node] += 1;
         }
     for (std::size_t node = 0; node < sums.size(); ++node)

@@ -27,8 +27,8 @@ void checkSettings(const Spray& spray) {
 }
 
 // Unit vector from the nozzle to a place; at the nozzle itself, along the cone.
-Eigen::Vector3d wayTo(const Spray& spray, const Eigen::Vector3d& place) {
-    const Eigen::Vector3d offset = place - spray.origin;
+Eigen::Vector3d wayTo(const Spray& spray, const Eigen::Vector3d& position) {
+    const Eigen::Vector3d offset = position - spray.origin;
     const double distance = offset.norm();
     if (distance > 0) return offset / distance;
     return spray.direction.normalized();
@@ -37,17 +37,17 @@ Eigen::Vector3d wayTo(const Spray& spray, const Eigen::Vector3d& place) {
 // Solid angle of a node as seen from the nozzle, sr; 0 outside the cone.
 double solidAngle(const Spray& spray, const SheetPose& sheet, std::size_t node) {
     if (!(sheet.mesh.areas[node] > 0)) return 0;
-    const Eigen::Vector3d& place = sheet.positions[node];
-    const Eigen::Vector3d way = wayTo(spray, place);
+    const Eigen::Vector3d& position = sheet.positions[node];
+    const Eigen::Vector3d way = wayTo(spray, position);
     if (!(way.dot(spray.direction.normalized()) >= std::cos(spray.halfAngle))) return 0;
-    const double distance = std::max((place - spray.origin).norm(), nearest);
+    const double distance = std::max((position - spray.origin).norm(), nearest);
     return std::abs(sheet.areaVector(node).dot(way)) / (distance * distance);
 }
 
 bool blockedOnTheWay(const Spray& spray, const SheetPose& sheet, std::size_t node) {
-    const Eigen::Vector3d& place = sheet.positions[node];
-    if ((place - spray.origin).norm() <= rayEnd) return false;
-    return sheet.shelter.blocked(spray.origin, place - rayEnd * wayTo(spray, place));
+    const Eigen::Vector3d& position = sheet.positions[node];
+    if ((position - spray.origin).norm() <= rayEnd) return false;
+    return sheet.shelter.blocked(spray.origin, position - rayEnd * wayTo(spray, position));
 }
 
 }  // namespace

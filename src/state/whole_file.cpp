@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Where a file stands: a link is followed, so that it goes on being one.
-fs::path place(const fs::path& path) {
+fs::path resolved(const fs::path& path) {
     std::error_code problem;
     if (!fs::is_symlink(path, problem)) return path;
     const fs::path target = fs::weakly_canonical(path, problem);
@@ -35,7 +35,7 @@ fs::path unfinished(const fs::path& path) {
 }  // namespace
 
 void checkWritable(const fs::path& name) {
-    const fs::path path = place(name);
+    const fs::path path = resolved(name);
     std::error_code problem;
     if (fs::exists(path, problem) && !fs::is_regular_file(path, problem)) {
         refuseToWrite(path, "it is there, and is not a file; choose another name");
@@ -55,7 +55,7 @@ void checkWritable(const fs::path& name) {
 
 void writeWhole(const fs::path& name, std::string_view contents) {
     checkWritable(name);
-    const fs::path path = place(name);
+    const fs::path path = resolved(name);
     const fs::path trial = unfinished(path);
     std::ofstream file(trial, std::ios::binary);
     file.write(contents.data(), static_cast<std::streamsize>(contents.size()));

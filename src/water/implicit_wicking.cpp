@@ -14,7 +14,7 @@ constexpr double tolerance = 1e-12;  // of a node's capacity
 constexpr int maxPieces = 4096;      // that a step is cut into
 
 /// Index of an entry within the values of a matrix.
-int placeOf(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix, int row, int column) {
+int indexOf(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix, int row, int column) {
     const int* begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row];
     const int* end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row + 1];
     return static_cast<int>(std::lower_bound(begin, end, column) - matrix.innerIndexPtr());
@@ -37,10 +37,10 @@ ImplicitWicking::ImplicitWicking(const BrooksCorey& curve, double fluxScale, con
     }
     matrix_.resize(nodes, nodes);
     matrix_.setFromTriplets(entries.begin(), entries.end());
-    for (int n = 0; n < nodes; ++n) diagonal_.push_back(placeOf(matrix_, n, n));
+    for (int n = 0; n < nodes; ++n) diagonal_.push_back(indexOf(matrix_, n, n));
     for (const Edge& edge : edges_)
-        entries_.push_back({placeOf(matrix_, edge.a, edge.a), placeOf(matrix_, edge.a, edge.b),
-                            placeOf(matrix_, edge.b, edge.a), placeOf(matrix_, edge.b, edge.b)});
+        entries_.push_back({indexOf(matrix_, edge.a, edge.a), indexOf(matrix_, edge.a, edge.b),
+                            indexOf(matrix_, edge.b, edge.a), indexOf(matrix_, edge.b, edge.b)});
     solver_.setTolerance(1e-6);
     solver_.setMaxIterations(500);
 }

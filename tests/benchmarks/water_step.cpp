@@ -81,8 +81,8 @@ class Sheet {
     explicit Sheet(const Case& which) : which_(which), water_(fabrics::cottonPlain(), mesh()) {
         surroundings_.gravity = standardGravity;
         surroundings_.dryingRate = 4e-5;
-        for (const Eigen::Vector2d& place : places_)
-            surroundings_.heights.push_back(static_cast<float>(place.y()));
+        for (const Eigen::Vector2d& position : positions_)
+            surroundings_.heights.push_back(static_cast<float>(position.y()));
         wetUpperHalf();
         step();  // the one that may allocate
     }
@@ -117,7 +117,7 @@ class Sheet {
     }
 
   private:
-    bool isUpper(std::size_t node) const { return places_[node].y() > 0.5 * (which_.side - 1) * spacing; }
+    bool isUpper(std::size_t node) const { return positions_[node].y() > 0.5 * (which_.side - 1) * spacing; }
 
     /// Rows of nodes, as a grid is usually numbered; or, the worst case, the same nodes moved about and
     /// numbered at random.
@@ -135,11 +135,11 @@ class Sheet {
             return number[static_cast<std::size_t>(column) +
                           static_cast<std::size_t>(row) * static_cast<std::size_t>(side)];
         };
-        places_.resize(number.size());
+        positions_.resize(number.size());
         for (int row = 0; row < side; ++row)
             for (int column = 0; column < side; ++column) {
                 const double x = spacing * column + jitter(), y = spacing * row + jitter();
-                places_[static_cast<std::size_t>(nodeAt(column, row))] = {x, y};
+                positions_[static_cast<std::size_t>(nodeAt(column, row))] = {x, y};
             }
         std::vector<std::array<int, 3>> triangles;
         for (int row = 0; row + 1 < side; ++row)
@@ -149,11 +149,11 @@ class Sheet {
                 triangles.push_back({a, b, d});
                 triangles.push_back({a, d, c});
             }
-        return flatMesh(places_, triangles);
+        return flatMesh(positions_, triangles);
     }
 
     Case which_;
-    std::vector<Eigen::Vector2d> places_;  // y upwards, m
+    std::vector<Eigen::Vector2d> positions_;  // y upwards, m
     Moisture water_;
     Surroundings surroundings_;
 };

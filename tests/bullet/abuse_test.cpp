@@ -141,13 +141,13 @@ TEST(Abuse, ASheetOfAnySizeAnywhere) {
         SCOPED_TRACE(std::to_string(each.side) + " m, at " + std::to_string(each.distance));
         test::SmallStepWorld rig;
         const Fabric fabric = fabrics::cottonPlain();
-        const auto place = btScalar(each.distance);
+        const auto position = btScalar(each.distance);
         const auto size = btScalar(each.side);
         auto made = makeSheet(rig.info(), fabric, flatCorners({0, 0, 0}, {size, 0, 0}, {0, -size, 0}), 9, 9);
         for (int i = 0; i < 9; ++i) made->m_nodes[i].m_im = 0;
         btSoftBody& sheet = rig.add(std::move(made));
         WetCloth& cloth = rig.cover(sheet, fabric);
-        sheet.translate({place, 0, place});
+        sheet.translate({position, 0, position});
         cloth.soak(0.2);
         cloth.air().wind = {0, 0, 2};
         rig.run(1);

@@ -18,9 +18,9 @@ constexpr double degree = 3.14159265358979 / 180;
 class Elastica {
   public:
     /// Curvature, 1/m, under a moment per width, N, at a place counted from the free end.
-    using Law = std::function<double(int place, double moment)>;
+    using Law = std::function<double(int point, double moment)>;
 
-    Elastica(double length, Law law) : step_(length / places), law_(std::move(law)), moments_(places) {}
+    Elastica(double length, Law law) : step_(length / points), law_(std::move(law)), moments_(points) {}
 
     /// Drop of the tip as an angle, seen from the clamp, rad.
     double tipAngle(double weight) {
@@ -33,21 +33,21 @@ class Elastica {
         slopeAtClamp(low, weight);
         return std::atan2(drop_, reach_);
     }
-    double moment(int place) const { return moments_[std::size_t(place)]; }
+    double moment(int point) const { return moments_[std::size_t(point)]; }
 
-    static constexpr int places = 400;
+    static constexpr int points = 400;
 
   private:
     /// Integrates M' = w t cos(slope), slope' = -curvature(M) from the tip, by the midpoint rule.
     double slopeAtClamp(double tip, double weight) {
         double slope = tip, moment = 0;
         reach_ = drop_ = 0;
-        for (int place = 0; place < places; ++place) {
-            const double t = place * step_;
+        for (int point = 0; point < points; ++point) {
+            const double t = point * step_;
             const double halfMoment = moment + step_ / 2 * weight * (t + step_ / 4) * std::cos(slope);
-            const double curvature = law_(place, halfMoment);
+            const double curvature = law_(point, halfMoment);
             const double halfSlope = slope - step_ / 2 * curvature;
-            moments_[std::size_t(place)] = halfMoment;
+            moments_[std::size_t(point)] = halfMoment;
             moment += step_ * weight * (t + step_ / 2) * std::cos(halfSlope);
             reach_ += step_ * std::cos(halfSlope);
             drop_ += step_ * std::sin(halfSlope);
@@ -184,8 +184,8 @@ class FrictionalElastica {
     FrictionalElastica(double length, double bending, double friction)
         : bending_(bending),
           friction_(friction),
-          slid_(Elastica::places, 0.0),
-          elastica_(length, [this](int place, double moment) { return curvature(place, moment); }) {}
+          slid_(Elastica::points, 0.0),
+          elastica_(length, [this](int point, double moment) { return curvature(point, moment); }) {}
 
     /// Lets the weight per area go there slowly.
     double tipAngleAt(double weight) {
@@ -195,22 +195,22 @@ class FrictionalElastica {
         for (int i = 1; i <= steps; ++i) {
             weight_ = from + (weight - from) * i / steps;
             angle = elastica_.tipAngle(weight_);
-            for (int place = 0; place < Elastica::places; ++place) slide(place);
+            for (int point = 0; point < Elastica::points; ++point) slide(point);
         }
         return angle;
     }
 
   private:
-    double curvature(int place, double moment) const {
+    double curvature(int point, double moment) const {
         const double held =
-            (moment + stiffer * bending_ * slid_[std::size_t(place)]) / ((1 + stiffer) * bending_);
-        const double carried = stiffer * bending_ * (held - slid_[std::size_t(place)]);
+            (moment + stiffer * bending_ * slid_[std::size_t(point)]) / ((1 + stiffer) * bending_);
+        const double carried = stiffer * bending_ * (held - slid_[std::size_t(point)]);
         if (std::abs(carried) <= friction_) return held;
         return (moment - std::copysign(friction_, carried)) / bending_;
     }
-    void slide(int place) {
-        double& slid = slid_[std::size_t(place)];
-        const double bent = curvature(place, elastica_.moment(place)), max = friction_ / (stiffer * bending_);
+    void slide(int point) {
+        double& slid = slid_[std::size_t(point)];
+        const double bent = curvature(point, elastica_.moment(point)), max = friction_ / (stiffer * bending_);
         slid = std::clamp(slid, bent - max, bent + max);
     }
 

@@ -316,20 +316,20 @@ std::vector<FluidForce> forces(PushByFluid push) {
         return float(double((number >> 16) & 0x7fff) / 0x7fff - 0.5);
     };
     FaceBlock block = {};
-    std::vector<PackedVector> places, velocities;
+    std::vector<PackedVector> positions, velocities;
     std::vector<OtherAcceleration> accelerations;
     std::vector<FluidForce> result(24, FluidForce{0, 0, 0, 7});
     std::vector<FluidNode> fluid;
     for (std::size_t n = 0; n < 24; ++n) {
         block.nodes[n % 3][n / 3] = static_cast<std::int32_t>(n);
         block.restArea[n / 3] = 0.01f;
-        places.push_back({0.2f * random(), 0.2f * random(), 0.2f * random(), 0});
+        positions.push_back({0.2f * random(), 0.2f * random(), 0.2f * random(), 0});
         velocities.push_back({random(), random(), random(), 0});
         accelerations.push_back({9 * random(), 9 * random(), 9 * random(), 0});
         const float share = n < 9 ? 0 : 0.5f + random();
         fluid.push_back({share, 0.5f * share, 0.3f, 1e-3f});
     }
-    push(result.data(), &block, places.data(), velocities.data(), accelerations.data(), fluid.data(),
+    push(result.data(), &block, positions.data(), velocities.data(), accelerations.data(), fluid.data(),
          {1.2f, 1000, 0.6f, 0.015f, 78, 1.0f / 60}, 1);
     return result;
 }

@@ -120,10 +120,10 @@ TEST(Health, AnApplicationMayHaveItThrownWithNothingChanged) {
             rig.run(2);
             const double pores = rig.cloth().moisture().totalPoreMass();
             mishap.happen(rig);
-            const btVector3 place = rig.sheet().m_nodes[60].m_x;
+            const btVector3 position = rig.sheet().m_nodes[60].m_x;
             EXPECT_ANY_THROW(rig.run(1));
             EXPECT_EQ(rig.cloth().moisture().totalPoreMass(), pores);
-            EXPECT_EQ(rig.sheet().m_nodes[60].m_x, place);
+            EXPECT_EQ(rig.sheet().m_nodes[60].m_x, position);
             EXPECT_TRUE(rig.cloth().troubles().empty());
         }
 }
@@ -133,11 +133,11 @@ TEST(Health, ANodeThatIsLostComesBackToItsPlaceAtRest) {
         AnyWorld rig(mover);
         rig.sheet().translate({1000, 0, 0});
         rig.run(10);
-        const btVector3 place = rig.sheet().m_nodes[80].m_x;
+        const btVector3 position = rig.sheet().m_nodes[80].m_x;
         rig.sheet().m_nodes[80].m_x.setValue(nan, nan, nan);
         rig.sheet().m_nodes[80].m_v.setValue(nan, nan, nan);
         rig.run(1);
-        EXPECT_LT(double((rig.sheet().m_nodes[80].m_x - place).length()), 0.02) << test::nameOf(mover);
+        EXPECT_LT(double((rig.sheet().m_nodes[80].m_x - position).length()), 0.02) << test::nameOf(mover);
         EXPECT_EQ(rig.cloth().troubles().size(), 1u);
     }
 }

@@ -136,17 +136,17 @@ TEST(PreTick, ACallbackThatWasWithdrawnIsNotCalled) {
 }
 
 /// A world, a second one in its place of memory, and a sheet in either.
-struct OnePlace {
+struct OneAddress {
     std::optional<demo::BulletWorld> world = std::nullopt;
     std::unique_ptr<btSoftBody> sheet;
     std::unique_ptr<WetCloth> cloth;
 
-    OnePlace() { begin(); }
-    ~OnePlace() {
+    OneAddress() { begin(); }
+    ~OneAddress() {
         if (sheet->getBroadphaseHandle()) world->world().removeSoftBody(sheet.get());
     }
-    OnePlace(const OnePlace&) = delete;
-    OnePlace& operator=(const OnePlace&) = delete;
+    OneAddress(const OneAddress&) = delete;
+    OneAddress& operator=(const OneAddress&) = delete;
 
     void begin() {
         world.emplace();
@@ -160,8 +160,8 @@ struct OnePlace {
 };
 
 TEST(PreTick, AWorldInThePlaceOfAnotherHasNoneOfItsCallbacks) {
-    OnePlace rig;
-    const btDynamicsWorld* const place = &rig.world->world();
+    OneAddress rig;
+    const btDynamicsWorld* const address = &rig.world->world();
     Application application;
     callsBefore = 0;
     rig.world->world().setInternalTickCallback(applicationCallback, &application, preTick);
@@ -169,7 +169,7 @@ TEST(PreTick, AWorldInThePlaceOfAnotherHasNoneOfItsCallbacks) {
     callbackFoundInTheSlot = Slot::of(rig.world->world());
     rig.cloth.reset();
     rig.begin();
-    ASSERT_EQ(&rig.world->world(), place);
+    ASSERT_EQ(&rig.world->world(), address);
     rig.world->world().setInternalTickCallback(callbackThatChainsOn, &application, preTick);
     rig.world->step(0.1, 10);
     EXPECT_EQ(callsBefore, 10);
@@ -182,13 +182,13 @@ TEST(PreTick, AWorldInThePlaceOfAnotherHasNoneOfItsCallbacks) {
 }
 
 TEST(PreTick, ALayerWhoseWorldIsGoneHearsNothingOfOneInItsPlace) {
-    OnePlace rig;
+    OneAddress rig;
     rig.cover();
-    const btDynamicsWorld* const place = &rig.world->world();
+    const btDynamicsWorld* const address = &rig.world->world();
     const std::unique_ptr<btSoftBody> oldSheet = std::move(rig.sheet);
     std::unique_ptr<WetCloth> oldCloth = std::move(rig.cloth);
     rig.begin();
-    ASSERT_EQ(&rig.world->world(), place);
+    ASSERT_EQ(&rig.world->world(), address);
     oldSheet->m_worldInfo = &rig.world->world().getWorldInfo();
     rig.world->world().addSoftBody(oldSheet.get());
     rig.cover();

@@ -21,14 +21,14 @@ constexpr Block blocks[] = {Block::whole, Block::compound, Block::bodies, Block:
 
 class BlockWorld {
   public:
-    BlockWorld(Block kind, const btTransform& place, double cell)
+    BlockWorld(Block kind, const btTransform& transform, double cell)
         : cell_(btScalar(cell)), box_({cell_ / 2, half.y(), cell_ / 2}), whole_(half) {
         if (kind == Block::whole)
-            add(whole_, place);
+            add(whole_, transform);
         else if (kind == Block::triangles)
-            addTriangles(place);
+            addTriangles(transform);
         else
-            addBoxes(kind, place);
+            addBoxes(kind, transform);
     }
     ~BlockWorld() {
         for (const auto& solid : solids_) rig.world().removeRigidBody(solid.get());
@@ -37,18 +37,18 @@ class BlockWorld {
     test::SmallStepWorld rig;
 
   private:
-    void addBoxes(Block kind, const btTransform& place) {
+    void addBoxes(Block kind, const btTransform& transform) {
         for (btScalar x = -half.x() + cell_ / 2; x < half.x(); x += cell_)
             for (btScalar z = -half.z() + cell_ / 2; z < half.z(); z += cell_) {
                 const btTransform local(btQuaternion::getIdentity(), {x, 0, z});
                 if (kind == Block::bodies)
-                    add(box_, place * local);
+                    add(box_, transform * local);
                 else
                     compound_.addChildShape(local, &box_);
             }
-        if (kind == Block::compound) add(compound_, place);
+        if (kind == Block::compound) add(compound_, transform);
     }
-    void addTriangles(const btTransform& place) {
+    void addTriangles(const btTransform& transform) {
         for (const btScalar y : {-half.y(), half.y()})
             for (btScalar x = -half.x(); x < half.x() - cell_ / 2; x += cell_)
                 for (btScalar z = -half.z(); z < half.z() - cell_ / 2; z += cell_) {
@@ -58,12 +58,12 @@ class BlockWorld {
                     triangles_.addTriangle(a, c, d);
                 }
         mesh_ = std::make_unique<btBvhTriangleMeshShape>(&triangles_, true);
-        add(*mesh_, place);
+        add(*mesh_, transform);
     }
-    void add(btCollisionShape& shape, const btTransform& place) {
+    void add(btCollisionShape& shape, const btTransform& transform) {
         solids_.push_back(
             std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &shape)));
-        solids_.back()->setWorldTransform(place);
+        solids_.back()->setWorldTransform(transform);
         solids_.back()->setFriction(1);
         rig.world().addRigidBody(solids_.back().get());
     }

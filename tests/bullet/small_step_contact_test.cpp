@@ -264,15 +264,15 @@ TEST(SmallStepContact, AKinematicBodyLeadsTheSheetSmoothly) {
     rod.setCollisionFlags(rod.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
     rod.setActivationState(DISABLE_DEACTIVATION);
     for (int i = 0; i < 13; ++i) sheet.appendAnchor(i, &rod, true, 1);
-    btTransform place = rod.getWorldTransform();
+    btTransform transform = rod.getWorldTransform();
     double speed = 0;
     for (int i = 0; i < 120; ++i) {
         speed = std::min(1.0, speed + 0.05);
-        place.setOrigin(place.getOrigin() - btVector3(0, 0, btScalar(speed / 60)));
-        rod.setWorldTransform(place);
+        transform.setOrigin(transform.getOrigin() - btVector3(0, 0, btScalar(speed / 60)));
+        rod.setWorldTransform(transform);
         rig.run(1.0 / 60);
     }
-    EXPECT_NEAR(double(sheet.m_nodes[6].m_x.z()), double(place.getOrigin().z()) + 0.05, 1e-3);
+    EXPECT_NEAR(double(sheet.m_nodes[6].m_x.z()), double(transform.getOrigin().z()) + 0.05, 1e-3);
     EXPECT_NEAR(double(sheet.m_nodes[6].m_v.z()), -1, 0.02);
     EXPECT_LT(test::fastest(sheet), 1.2);
 }
@@ -314,8 +314,8 @@ class MeshGround {
     MeshGround(const MeshGround&) = delete;
     MeshGround& operator=(const MeshGround&) = delete;
 
-    static double heightAt(const btVector3& place) {
-        return std::max(0.0, 0.1 - std::abs(double(place.x())));
+    static double heightAt(const btVector3& position) {
+        return std::max(0.0, 0.1 - std::abs(double(position.x())));
     }
 
   private:
@@ -334,8 +334,8 @@ TEST(SmallStepContact, ASheetLiesOnATriangleMeshNotAboveIt) {
     for (int i = 0; i < 240; ++i) {
         rig.run(1.0 / 60);
         for (int n = 0; n < sheet.m_nodes.size(); ++n) {
-            const btVector3& place = sheet.m_nodes[n].m_x;
-            ASSERT_GT(double(place.y()), MeshGround::heightAt(place) - 1e-3)
+            const btVector3& position = sheet.m_nodes[n].m_x;
+            ASSERT_GT(double(position.y()), MeshGround::heightAt(position) - 1e-3)
                 << "node " << n << ", frame " << i;
         }
     }

@@ -268,12 +268,12 @@ TEST(SnapshotRun, DropsInTheAirGoOnFalling) {
 /// What an application keeps of a rigid body of its own.
 struct RigidState {
     explicit RigidState(const btRigidBody& body)
-        : place(body.getWorldTransform()),
+        : transform(body.getWorldTransform()),
           drawn(body.getInterpolationWorldTransform()),
           velocity(body.getLinearVelocity()),
           spin(body.getAngularVelocity()) {}
     void restore(btRigidBody& body) const {
-        body.setWorldTransform(place);
+        body.setWorldTransform(transform);
         body.setInterpolationWorldTransform(drawn);
         for (const bool drawnToo : {false, true}) {
             drawnToo ? body.setInterpolationLinearVelocity(velocity) : body.setLinearVelocity(velocity);
@@ -281,7 +281,7 @@ struct RigidState {
         }
         body.updateInertiaTensor();
     }
-    btTransform place, drawn;
+    btTransform transform, drawn;
     btVector3 velocity, spin;
 };
 

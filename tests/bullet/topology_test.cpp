@@ -69,10 +69,10 @@ TEST(Topology, ACutIsFollowedWithItsWater) {
         EXPECT_EQ(health.refits, 1);
         ASSERT_EQ(rig.sheet().m_nodes.size(), across * across + 2);
         for (const int node : {across * across, across * across + 1}) {
-            const Eigen::Vector2d place = rig.cloth().materialCoordinates()[std::size_t(node)],
+            const Eigen::Vector2d position = rig.cloth().materialCoordinates()[std::size_t(node)],
                                   a = rig.cloth().materialCoordinates()[std::size_t(at(4, 4))],
                                   b = rig.cloth().materialCoordinates()[std::size_t(at(5, 4))];
-            EXPECT_LT((place - (0.75 * a + 0.25 * b)).norm(), 1e-3);
+            EXPECT_LT((position - (0.75 * a + 0.25 * b)).norm(), 1e-3);
             EXPECT_GT(rig.cloth().content(node), 0);
             EXPECT_LT(rig.cloth().nodeMass(node), rig.cloth().nodeMass(at(4, 4)));
             EXPECT_NEAR(double(rig.sheet().m_nodes[node].m_im) * rig.cloth().nodeMass(node), 1, 1e-5);
@@ -251,8 +251,8 @@ std::vector<Ruin> ruins() {
         {"a double link", [](btSoftBody& body) { body.appendLink(0, 1); }},
         {"a face of no area",
          [](btSoftBody& body) {
-             const btVector3 place = body.m_nodes[40].m_x;
-             body.appendNode(place, 1);
+             const btVector3 position = body.m_nodes[40].m_x;
+             body.appendNode(position, 1);
              body.appendFace(40, 41, body.m_nodes.size() - 1);
              body.appendLink(41, body.m_nodes.size() - 1);
          }},

@@ -58,9 +58,9 @@ class WetContactRig {
         btRigidBody& box = world_->addBox({0, 0, 0}, {8, btScalar(0.5), 2}, turn);
         box.setFriction(btScalar(0.5));
         world_->world().updateAabbs();
-        const btTransform place(turn, {0, 0, 0});
-        sheet_->transform(btTransform(turn, place * btVector3(6, btScalar(0.5) + margin(), 0)));
-        down_ = place.getBasis() * btVector3(-1, 0, 0);
+        const btTransform transform(turn, {0, 0, 0});
+        sheet_->transform(btTransform(turn, transform * btVector3(6, btScalar(0.5) + margin(), 0)));
+        down_ = transform.getBasis() * btVector3(-1, 0, 0);
         return box;
     }
     double speedDown() const { return double(momentum(*sheet_).dot(down_)) / mass(*sheet_); }

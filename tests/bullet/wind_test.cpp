@@ -28,13 +28,13 @@ Fabric airtight() {
 /// A wind from a formula.
 class Formula final : public WindField {
   public:
-    using Law = Vector3d (*)(const Vector3d& place, double time);
+    using Law = Vector3d (*)(const Vector3d& position, double time);
     explicit Formula(Law law, double length = std::numeric_limits<double>::infinity())
         : law_(law), length_(length) {}
-    Vector3d velocity(const Vector3d& place, double time) const override {
+    Vector3d velocity(const Vector3d& position, double time) const override {
         ++reads;
         lastTime = time;
-        return law_(place, time);
+        return law_(position, time);
     }
     double length() const override { return length_; }
 
@@ -112,7 +112,8 @@ class Screen {
 TEST(Wind, AFieldBlowsWhereItIs) {
     // Reading it at points and between them has no error in a wind that grows evenly with the place.
     const auto field = std::make_shared<Formula>(
-        [](const Vector3d& place, double) { return Vector3d(0, 0, 6 + place.x() + 2 * place.y()); }, 0.3);
+        [](const Vector3d& position, double) { return Vector3d(0, 0, 6 + position.x() + 2 * position.y()); },
+        0.3);
     Screen screen;
     screen.air().field = field;
     screen.air().wind = {0, 0, -2};
@@ -121,10 +122,10 @@ TEST(Wind, AFieldBlowsWhereItIs) {
     for (int row = 1; row < 16; ++row)
         for (int column = 1; column < 32; ++column) {
             const int node = column + 33 * row;
-            const btVector3& place = screen.sheet().m_nodes[node].m_x;
-            const double speed = 4 + double(place.x()) + 2 * double(place.y());
+            const btVector3& position = screen.sheet().m_nodes[node].m_x;
+            const double speed = 4 + double(position.x()) + 2 * double(position.y());
             const double push = 0.5 * 1.2 * 1.2 * area * speed * speed;
-            EXPECT_NEAR(pushes[std::size_t(node)], push, 0.01 * push) << place.x() << ", " << place.y();
+            EXPECT_NEAR(pushes[std::size_t(node)], push, 0.01 * push) << position.x() << ", " << position.y();
         }
 }
 
@@ -180,8 +181,8 @@ TEST(Wind, AFieldThatIsTheSameEverywhereIsASteadyWind) {
 
 TEST(Wind, AFieldThatIsNotFiniteIsRefused) {
     const std::vector<std::pair<std::shared_ptr<Formula>, std::string>> bad = {
-        {std::make_shared<Formula>([](const Vector3d& place, double) {
-             return place.x() > 0 ? Vector3d(0, nan, 0) : Vector3d(0, 0, 0);
+        {std::make_shared<Formula>([](const Vector3d& position, double) {
+             return position.x() > 0 ? Vector3d(0, nan, 0) : Vector3d(0, 0, 0);
          }),
          "velocity of (0, NaN, 0) m/s"},
         {std::make_shared<Formula>([](const Vector3d&, double) { return Vector3d(HUGE_VAL, 0, 0); }),
@@ -228,7 +229,9 @@ TEST(Wind, DriesTheSheetAsFastAsItBlowsThere) {
     };
     const double steady = dried({0, 0, 4}, nullptr, 0), slower = dried({0, 0, 2}, nullptr, 0);
     ASSERT_GT(steady, 1.2 * slower);
-    const Formula::Law shear = [](const Vector3d& place, double) { return Vector3d(0, 0, 2 + place.x()); };
+    const Formula::Law shear = [](const Vector3d& position, double) {
+        return Vector3d(0, 0, 2 + position.x());
+    };
     EXPECT_NEAR(dried({0, 0, 2}, shear, 0), steady, 1e-4 * steady);
     // Half of the wind is left half a metre behind a wall that shelters for one metre.
     EXPECT_NEAR(dried({0, 0, 8}, nullptr, 1), steady, 0.01 * steady);

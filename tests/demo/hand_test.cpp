@@ -137,12 +137,12 @@ TEST_P(HandWithSolver, TakesClothAlongAndLetsGo) {
 TEST_P(HandWithSolver, StandsAMouseThatJumps) {
     Rig rig(GetParam(), 1);
     rig.frames(30);
-    const double places[][2] = {{0, 0.8}, {8, 5}, {-8, -3}, {0.1, 40}, {3, 1}, {-0.4, 0.4}};
-    for (const auto& place : places) {
-        rig.point(place[0], place[1], true);
+    const double positions[][2] = {{0, 0.8}, {8, 5}, {-8, -3}, {0.1, 40}, {3, 1}, {-0.4, 0.4}};
+    for (const auto& position : positions) {
+        rig.point(position[0], position[1], true);
         rig.frames(20);
         EXPECT_TRUE(rig.cloth().health().finite);
-        EXPECT_LT(rig.largestStrain(), 1.2) << place[0] << ", " << place[1];
+        EXPECT_LT(rig.largestStrain(), 1.2) << position[0] << ", " << position[1];
     }
     rig.point(0, 0, false);
     for (int frame = 0; frame < 60; ++frame) {

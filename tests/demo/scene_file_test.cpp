@@ -257,13 +257,13 @@ TEST(SceneFile, MessagesAreShortAndPlain) {
 TEST(SceneFile, SurvivesAnyChangeOfAByte) {
     const std::string text = sceneText(fullScene());
     std::mt19937 random(1);
-    std::uniform_int_distribution<std::size_t> place(0, text.size() - 1);
+    std::uniform_int_distribution<std::size_t> position(0, text.size() - 1);
     std::uniform_int_distribution<int> byte(0, 255);
     int refused = 0;
     for (int i = 0; i < 3000; ++i) {
         std::string changed = text;
-        for (int k = 0; k <= i % 3; ++k) changed[place(random)] = char(byte(random));
-        if (i % 5 == 0) changed.resize(place(random));
+        for (int k = 0; k <= i % 3; ++k) changed[position(random)] = char(byte(random));
+        if (i % 5 == 0) changed.resize(position(random));
         refused += refusal(changed).empty() ? 0 : 1;
     }
     EXPECT_GT(refused, 1000);

@@ -177,7 +177,7 @@ TEST(WaterEffects, CountsStayWithinTheirLimits) {
     effects.rain(100, downwards, region(2, 3));
     for (int frame = 0; frame < 600; ++frame) {
         Nozzle nozzle;
-        nozzle.place = {0, 1, 0};
+        nozzle.position = {0, 1, 0};
         nozzle.direction = {0.3, -0.2, 1};
         effects.spray(nozzle);
         effects.step(frameTime, Air());
@@ -282,7 +282,7 @@ TEST(WaterEffects, ASprayStaysInItsConeAndWetsWhatItMeets) {
     btRigidBody& wall = world->addBox({0, 1, 1.05f}, {1, 1, 0.05f});
     WaterEffects effects(world->world());
     Nozzle nozzle;
-    nozzle.place = {0, 1, 0};
+    nozzle.position = {0, 1, 0};
     nozzle.halfAngle = 0.2;
     for (int frame = 0; frame < 60; ++frame) {
         effects.spray(nozzle);

@@ -41,7 +41,7 @@ const aiMesh& meshOf(const aiScene& scene, const std::string& name) {
     throw std::runtime_error("no mesh " + name);
 }
 
-using Places = std::vector<Eigen::Vector3f>;
+using Positions = std::vector<Eigen::Vector3f>;
 
 Eigen::Vector3f toEigen(const aiVector3D& v) {
     return {v.x, v.y, v.z};
@@ -49,20 +49,21 @@ Eigen::Vector3f toEigen(const aiVector3D& v) {
 
 /// Where the vertices of a mesh, or their normals, are at a key of the animation: those of the mesh, and of each
 /// target, by its weight, what it changes.
-Places played(const aiMesh& mesh, const aiMeshMorphKey& key, bool normals) {
+Positions played(const aiMesh& mesh, const aiMeshMorphKey& key, bool normals) {
     const auto vectors = [&](const auto& of) { return normals ? of.mNormals : of.mVertices; };
-    Places places;
+    Positions positions;
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
         const Eigen::Vector3f base = toEigen(vectors(mesh)[v]);
-        Eigen::Vector3f place = base;
+        Eigen::Vector3f position = base;
         for (unsigned i = 0; i < key.mNumValuesAndWeights; ++i)
-            place += float(key.mWeights[i]) * (toEigen(vectors(*mesh.mAnimMeshes[key.mValues[i]])[v]) - base);
-        places.push_back(place);
+            position +=
+                float(key.mWeights[i]) * (toEigen(vectors(*mesh.mAnimMeshes[key.mValues[i]])[v]) - base);
+        positions.push_back(position);
     }
-    return places;
+    return positions;
 }
 
-void expectSame(const Places& a, const Places& b) {
+void expectSame(const Positions& a, const Positions& b) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_LT((a[i] - b[i]).norm(), 1e-6f) << i;
 }

@@ -45,8 +45,8 @@ TEST(FrameFiles, ObjComesBackAsItWas) {
             for (std::size_t k = 0; k < 3; ++k)
                 ASSERT_EQ(read.mesh.triangles[triangle + std::size_t(&nodes - sheet.triangles.data())][k],
                           before + nodes[k]);
-        for (const Eigen::Vector3f& place : sheet.positions)
-            EXPECT_EQ(read.mesh.vertices[vertex++].cast<float>(), place);
+        for (const Eigen::Vector3f& position : sheet.positions)
+            EXPECT_EQ(read.mesh.vertices[vertex++].cast<float>(), position);
         triangle += sheet.triangles.size();
     }
     EXPECT_NE(test::contentsOf(folder / "run" / "cloth.obj").find("\nvn "), std::string::npos);

@@ -81,12 +81,12 @@ TEST(Exporter, KeepsEveryNthFrameOfAllSheets) {
     const std::vector<float> times = file.floats(sampler["input"].get<int>());
     ASSERT_EQ(times.size(), 4u);
     EXPECT_NEAR(times[3], 9 * Scene::frameTime, 1e-6);
-    const std::vector<float> places = file.attribute(1, "POSITION", 3);
+    const std::vector<float> positions = file.attribute(1, "POSITION", 3);
     const auto now = framesOf(*scene);
     ASSERT_EQ(now.size(), 2u);
     EXPECT_EQ(now[1].name, "other");
     for (std::size_t n = 0; n < now[1].positions.size(); ++n)
-        EXPECT_NEAR(places[3 * n + 1], now[1].positions[n].y(),
+        EXPECT_NEAR(positions[3 * n + 1], now[1].positions[n].y(),
                     1e-6);  // the twelfth frame is the last that was kept
     EXPECT_NE(test::contentsOf(folder / "cloth.0002.csv").find("\n0.166666667,other,19,"), std::string::npos);
 }

@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     if (!fuzz::accepts([&] { mask = readMask(file.path()); }, refusal)) return 0;
     for (const float value : mask.values)
         if (!(value >= 0 && value <= 1)) fuzz::fail("a pixel is " + std::to_string(value));
-    for (const double place : {-1.0, 0.0, 0.37, 1.0, 1e300})
-        if (!(mask.at(place, 1 - place) <= 1)) fuzz::fail("no value between the pixels");
+    for (const double position : {-1.0, 0.0, 0.37, 1.0, 1e300})
+        if (!(mask.at(position, 1 - position) <= 1)) fuzz::fail("no value between the pixels");
     return 0;
 }

@@ -12,10 +12,11 @@ namespace drench::fuzz {
 namespace {
 
 ClothMesh randomMesh(Choices& choices) {
-    std::vector<Eigen::Vector2d> places;
+    std::vector<Eigen::Vector2d> positions;
     const int nodes = choices.whole(1, 24);
     const double size = choices.oneIn(16) ? choices.around(1e-6, 1e4) : 0.1;
-    for (int n = 0; n < nodes; ++n) places.emplace_back(choices.between(0, size), choices.between(0, size));
+    for (int n = 0; n < nodes; ++n)
+        positions.emplace_back(choices.between(0, size), choices.between(0, size));
     std::vector<std::array<int, 3>> triangles;
     const auto node = [&] { return choices.whole(choices.oneIn(64) ? -1 : 0, nodes - 1); };
     for (int t = choices.whole(0, 40); t > 0; --t) {
@@ -24,7 +25,7 @@ ClothMesh randomMesh(Choices& choices) {
             triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
         if (!isThin || choices.oneIn(64)) triangles.push_back(triangle);
     }
-    return flatMesh(places, triangles);
+    return flatMesh(positions, triangles);
 }
 
 void change(Choices& choices, Moisture& water) {

@@ -41,13 +41,13 @@ inline btVector3 wildVector(Choices& choices, double reach) {
 
 /// Any triangles between any nodes, with links along their sides.
 inline std::unique_ptr<btSoftBody> randomTriangles(Choices& choices, btSoftBodyWorldInfo& info) {
-    std::vector<btVector3> places;
+    std::vector<btVector3> positions;
     const int nodes = choices.whole(3, 20);
     for (int n = 0; n < nodes; ++n) {
-        places.push_back(choices.oneIn(20) ? wildVector(choices, 1) : randomVector(choices, 0.5));
-        if (!choices.oneIn(8)) places.back().setY(1);
+        positions.push_back(choices.oneIn(20) ? wildVector(choices, 1) : randomVector(choices, 0.5));
+        if (!choices.oneIn(8)) positions.back().setY(1);
     }
-    auto body = std::make_unique<btSoftBody>(&info, nodes, places.data(), nullptr);
+    auto body = std::make_unique<btSoftBody>(&info, nodes, positions.data(), nullptr);
     for (int triangles = choices.whole(1, 24); triangles > 0; --triangles) {
         const int a = choices.whole(0, nodes - 1), b = choices.whole(0, nodes - 1),
                   c = choices.whole(0, nodes - 1);

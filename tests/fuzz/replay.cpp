@@ -31,8 +31,8 @@ std::vector<Input> readCorpus(const std::filesystem::path& folder) {
 Input changed(Input input, std::mt19937& random) {
     if (input.empty()) input.push_back(0);
     for (auto changes = 1 + random() % 8; changes > 0; --changes) {
-        const std::size_t place = random() % input.size();
-        input[place] = static_cast<char>(random());
+        const std::size_t position = random() % input.size();
+        input[position] = static_cast<char>(random());
     }
     if (random() % 4 == 0) input.resize(1 + random() % input.size());
     return input;

@@ -90,20 +90,20 @@ class Play {
     }
 
     void addSource(int what) {
-        const Eigen::Vector3d place = eigen(wildVector(choices_, 2));
+        const Eigen::Vector3d position = eigen(wildVector(choices_, 2));
         const double rate = choices_.around(0, 1);
         switch (what) {
             case 8:
                 source_ = &cloth_->add(Rain(1000 * rate));
                 return;
             case 9:
-                source_ = &cloth_->add(Spray(place, eigen(wildVector(choices_, 1)), rate));
+                source_ = &cloth_->add(Spray(position, eigen(wildVector(choices_, 1)), rate));
                 return;
             case 10:
-                source_ = &cloth_->add(Pool(place.y()));
+                source_ = &cloth_->add(Pool(position.y()));
                 return;
             case 11:
-                source_ = &cloth_->add(Brush(place, choices_.around(0.01, 1), rate));
+                source_ = &cloth_->add(Brush(position, choices_.around(0.01, 1), rate));
                 return;
             case 12:
                 source_ = &cloth_->add(WetBody(ball_));

@@ -25,9 +25,9 @@ std::unique_ptr<test::WetScene> scene(test::Mover mover) {
 Snapshot changed(const Snapshot& snapshot, Choices& choices) {
     std::string state(snapshot.state());
     while (choices.any()) {
-        const auto place = std::size_t(choices.byte()) << 8 | choices.byte();
-        if (choices.oneIn(32)) state.resize(place % (state.size() + 1));
-        if (!state.empty()) state[place % state.size()] = static_cast<char>(choices.byte());
+        const auto position = std::size_t(choices.byte()) << 8 | choices.byte();
+        if (choices.oneIn(32)) state.resize(position % (state.size() + 1));
+        if (!state.empty()) state[position % state.size()] = static_cast<char>(choices.byte());
     }
     return Snapshot(snapshotBytes(
         {snapshot.precision(), snapshot.nodes(), snapshot.links(), snapshot.faces(), snapshot.topology()},

@@ -58,7 +58,7 @@ struct Patch {
 };
 
 Patch patchOf(const LaidOut& mesh) {
-    Patch patch = {mesh, std::vector<Eigen::Vector2d>(mesh.places.size()), {}};
+    Patch patch = {mesh, std::vector<Eigen::Vector2d>(mesh.positions.size()), {}};
     std::map<std::pair<int, int>, int> sides;
     for (std::size_t t = 0; t < mesh.cloth.triangles.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i) {
@@ -66,7 +66,7 @@ Patch patchOf(const LaidOut& mesh) {
             patch.material[static_cast<std::size_t>(a)] = mesh.cloth.coordinates[t][i];
             ++sides[{std::min(a, b), std::max(a, b)}];
         }
-    patch.inner.assign(mesh.places.size(), true);
+    patch.inner.assign(mesh.positions.size(), true);
     for (const auto& [nodes, count] : sides)
         if (count == 1)
             patch.inner[static_cast<std::size_t>(nodes.first)] =
@@ -184,7 +184,7 @@ TEST(Conductances, NoneIsNegativeWhereThePlainOnesAre) {
             EXPECT_LT(edge.a, edge.b);
             EXPECT_TRUE(std::isfinite(edge.conductance));
         }
-        EXPECT_LE(edges.size(), 3 * mesh.places.size());
+        EXPECT_LE(edges.size(), 3 * mesh.positions.size());
     }
 }
 
@@ -209,9 +209,10 @@ ClothMesh triangularLattice() {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> shift(-0.0005, 0.0005);
     LaidOut mesh = meshes::grid(9, 9, 0.01);
-    for (Eigen::Vector2d& place : mesh.places)
-        place = Eigen::Vector2d(place.x() - place.y() / 2 + shift(random), 0.87 * place.y() + shift(random));
-    return flatMesh(mesh.places, mesh.cloth.triangles);
+    for (Eigen::Vector2d& position : mesh.positions)
+        position = Eigen::Vector2d(position.x() - position.y() / 2 + shift(random),
+                                   0.87 * position.y() + shift(random));
+    return flatMesh(mesh.positions, mesh.cloth.triangles);
 }
 
 TEST(Conductances, ADelaunayMeshKeepsItsPlainCotangents) {

@@ -52,7 +52,7 @@ struct Wall {
 double worstThickness(const Wall& wall, double top, double seconds) {
     double worst = 0;
     for (std::size_t n = 0; n < wall.water.size(); ++n) {
-        const double depth = top - wall.mesh.places[n].y();
+        const double depth = top - wall.mesh.positions[n].y();
         if (depth < 0.06 || depth > top - 0.011) continue;
         const double jeffreys = std::sqrt(waterViscosity * depth / (waterDensity * gravity * seconds));
         worst = std::max(worst, std::abs(wall.running(n) / jeffreys - 1));
@@ -77,7 +77,7 @@ TEST(Film, ThinsAsJeffreysSaysOnABadMesh) {
         wall.run(20, dt);
         double ratio = 0, count = 0;
         for (std::size_t n = 0; n < wall.water.size(); ++n) {
-            const double depth = 0.30 - wall.mesh.places[n].y();
+            const double depth = 0.30 - wall.mesh.positions[n].y();
             if (depth < 0.06 || depth > 0.28) continue;
             ratio += wall.running(n) / std::sqrt(waterViscosity * depth / (waterDensity * gravity * 20));
             ++count;
@@ -110,7 +110,7 @@ Wall hungByACorner(double film) {
     Wall wall(meshes::grid(21, 21, 0.01), film);
     for (std::size_t n = 0; n < wall.water.size(); ++n)
         wall.around.heights[n] =
-            static_cast<float>((wall.mesh.places[n].x() + wall.mesh.places[n].y()) / std::sqrt(2.0));
+            static_cast<float>((wall.mesh.positions[n].x() + wall.mesh.positions[n].y()) / std::sqrt(2.0));
     return wall;
 }
 

@@ -17,8 +17,8 @@ namespace drench::meshes {
 /// A mesh, and where its nodes are on the table before it is sewn; a tube is cut open along node 0.
 struct LaidOut {
     ClothMesh cloth;
-    std::vector<Eigen::Vector2d> places;  ///< m
-    double circumference = 0;             ///< of a tube, m
+    std::vector<Eigen::Vector2d> positions;  ///< m
+    double circumference = 0;                ///< of a tube, m
 };
 
 /// Node `column + columns * row` of a mesh of rows and columns.
@@ -53,15 +53,16 @@ inline LaidOut rotated(LaidOut mesh, double angle) {
     return mesh;
 }
 
-inline std::vector<Eigen::Vector2d> evenPlaces(int columns, int rows, double spacing) {
-    std::vector<Eigen::Vector2d> places;
+inline std::vector<Eigen::Vector2d> evenPositions(int columns, int rows, double spacing) {
+    std::vector<Eigen::Vector2d> positions;
     for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column) places.emplace_back(column * spacing, row * spacing);
-    return places;
+        for (int column = 0; column < columns; ++column)
+            positions.emplace_back(column * spacing, row * spacing);
+    return positions;
 }
 
 inline LaidOut grid(int columns, int rows, double spacing) {
-    const std::vector<Eigen::Vector2d> places = evenPlaces(columns, rows, spacing);
+    const std::vector<Eigen::Vector2d> positions = evenPositions(columns, rows, spacing);
     std::vector<std::array<int, 3>> triangles;
     for (int row = 0; row + 1 < rows; ++row)
         for (int column = 0; column + 1 < columns; ++column) {
@@ -69,7 +70,7 @@ inline LaidOut grid(int columns, int rows, double spacing) {
             triangles.push_back({a, b, d});
             triangles.push_back({a, d, c});
         }
-    return {flatMesh(places, triangles), places};
+    return {flatMesh(positions, triangles), positions};
 }
 
 inline LaidOut rotatedGrid(int columns, int rows, double spacing, double angle) {
@@ -90,21 +91,21 @@ inline LaidOut irregular(int columns, int rows, double spacing, unsigned seed,
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> shift(-disorder.jitter * spacing, disorder.jitter * spacing),
         chance(0, 1);
-    std::vector<Eigen::Vector2d> places = evenPlaces(columns, rows, spacing);
+    std::vector<Eigen::Vector2d> positions = evenPositions(columns, rows, spacing);
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
             const int depth = std::min({column, columns - 1 - column, row, rows - 1 - row});
             if (disorder.evenBorder && depth < 2) continue;
-            Eigen::Vector2d& place = places[static_cast<std::size_t>(nodeAt(column, row, columns))];
+            Eigen::Vector2d& position = positions[static_cast<std::size_t>(nodeAt(column, row, columns))];
             const double x = shift(random), y = shift(random);
-            if (column > 0 && column < columns - 1) place.x() += x;
-            if (row > 0 && row < rows - 1) place.y() += y;
+            if (column > 0 && column < columns - 1) position.x() += x;
+            if (row > 0 && row < rows - 1) position.y() += y;
         }
 
     std::vector<std::array<int, 3>> triangles;
     const auto cornersOf = [&](const std::array<int, 3>& nodes) {
         std::array<Eigen::Vector2d, 3> corners;
-        for (std::size_t i = 0; i < 3; ++i) corners[i] = places[static_cast<std::size_t>(nodes[i])];
+        for (std::size_t i = 0; i < 3; ++i) corners[i] = positions[static_cast<std::size_t>(nodes[i])];
         return corners;
     };
     const auto badness = [&](const std::array<std::array<int, 3>, 2>& pair) {
@@ -126,15 +127,15 @@ inline LaidOut irregular(int columns, int rows, double spacing, unsigned seed,
             const bool takeWorse = chance(random) < disorder.worseShare && badness(worse) < 4;
             for (const auto& nodes : takeWorse ? worse : better) triangles.push_back(nodes);
         }
-    return {flatMesh(places, triangles), places};
+    return {flatMesh(positions, triangles), positions};
 }
 
 /// A sleeve: the first column follows the last. Each triangle's coordinates lie together; at the seam, u starts again.
 inline LaidOut tube(int around, int along, double spacing) {
     LaidOut mesh;
-    mesh.places = evenPlaces(around, along, spacing);
+    mesh.positions = evenPositions(around, along, spacing);
     mesh.circumference = around * spacing;
-    mesh.cloth.areas.assign(mesh.places.size(), 0.0);
+    mesh.cloth.areas.assign(mesh.positions.size(), 0.0);
     for (int row = 0; row + 1 < along; ++row)
         for (int column = 0; column < around; ++column) {
             const int next = (column + 1) % around;
@@ -161,19 +162,21 @@ inline ClothMesh separateNodes(const std::vector<double>& areas) {
 /// Second place of each node as its height: the sheet hangs with its last row on top.
 inline std::vector<float> upright(const LaidOut& mesh) {
     std::vector<float> heights;
-    for (const Eigen::Vector2d& place : mesh.places) heights.push_back(static_cast<float>(place.y()));
+    for (const Eigen::Vector2d& position : mesh.positions)
+        heights.push_back(static_cast<float>(position.y()));
     return heights;
 }
 
 /// A value of the nodes, linear in each triangle, at any place; 0 outside. Not for tubes.
-inline double valueAt(const LaidOut& mesh, const std::vector<double>& values, const Eigen::Vector2d& place) {
+inline double valueAt(const LaidOut& mesh, const std::vector<double>& values,
+                      const Eigen::Vector2d& position) {
     for (const auto& nodes : mesh.cloth.triangles) {
         std::array<Eigen::Vector2d, 3> corners;
-        for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.places[static_cast<std::size_t>(nodes[i])];
+        for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.positions[static_cast<std::size_t>(nodes[i])];
         const double whole = signedArea(corners[0], corners[1], corners[2]);
         std::array<double, 3> share;
         for (std::size_t i = 0; i < 3; ++i)
-            share[i] = signedArea(place, corners[(i + 1) % 3], corners[(i + 2) % 3]) / whole;
+            share[i] = signedArea(position, corners[(i + 1) % 3], corners[(i + 2) % 3]) / whole;
         if (*std::min_element(share.begin(), share.end()) < -1e-9) continue;
         double value = 0;
         for (std::size_t i = 0; i < 3; ++i) value += share[i] * values[static_cast<std::size_t>(nodes[i])];

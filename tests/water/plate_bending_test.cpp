@@ -35,7 +35,7 @@ bool isInner(const PlateElement& element) {
 std::vector<double> sampled(const LaidOut& mesh,
                             const std::function<double(const Eigen::Vector2d&)>& function) {
     std::vector<double> values;
-    for (const Eigen::Vector2d& place : mesh.places) values.push_back(function(place));
+    for (const Eigen::Vector2d& position : mesh.positions) values.push_back(function(position));
     return values;
 }
 
@@ -68,7 +68,8 @@ double energy(const std::vector<PlateElement>& elements, const std::vector<Eigen
 
 std::vector<Eigen::Vector3d> flat(const LaidOut& mesh) {
     std::vector<Eigen::Vector3d> positions;
-    for (const Eigen::Vector2d& place : mesh.places) positions.emplace_back(place.x(), place.y(), 0);
+    for (const Eigen::Vector2d& position : mesh.positions)
+        positions.emplace_back(position.x(), position.y(), 0);
     return positions;
 }
 
@@ -100,7 +101,7 @@ Eigen::SparseMatrix<double> stiffnessMatrix(const std::vector<PlateElement>& ele
 /// Heights under a load on each node, in N for B = 1 N m, with some nodes held at 0.
 std::vector<double> deflection(const LaidOut& mesh, const std::vector<double>& load,
                                const std::vector<bool>& held) {
-    const std::size_t size = mesh.places.size();
+    const std::size_t size = mesh.positions.size();
     Eigen::SparseMatrix<double> matrix = stiffnessMatrix(plateElements(mesh.cloth), size);
     Eigen::VectorXd force(static_cast<Eigen::Index>(size));
     for (std::size_t i = 0; i < size; ++i) force[static_cast<Eigen::Index>(i)] = held[i] ? 0 : load[i];
@@ -124,11 +125,12 @@ struct Strip {
 double underOwnWeight(const Strip& strip) {
     std::vector<bool> held;
     double tip = 0, count = 0;
-    for (const Eigen::Vector2d& place : strip.mesh.places) held.push_back(place.x() < strip.clampedAt);
+    for (const Eigen::Vector2d& position : strip.mesh.positions)
+        held.push_back(position.x() < strip.clampedAt);
     const std::vector<double> heights = deflection(strip.mesh, strip.mesh.cloth.areas, held);
     double heldUpTo = 0, heldCount = 0;
     for (std::size_t i = 0; i < heights.size(); ++i) {
-        const double x = strip.mesh.places[i].x();
+        const double x = strip.mesh.positions[i].x();
         if (x > strip.length - 1e-9) {
             tip += heights[i];
             ++count;
@@ -145,10 +147,10 @@ double underTipLoad(const Strip& strip, double width) {
     std::vector<bool> held;
     std::vector<double> load;
     double count = 0;
-    for (const Eigen::Vector2d& place : strip.mesh.places) {
-        held.push_back(place.x() < strip.clampedAt);
-        const bool atTip = place.x() > strip.length - 1e-9;
-        const bool atCorner = place.y() < 1e-9 || place.y() > width - 1e-9;
+    for (const Eigen::Vector2d& position : strip.mesh.positions) {
+        held.push_back(position.x() < strip.clampedAt);
+        const bool atTip = position.x() > strip.length - 1e-9;
+        const bool atCorner = position.y() < 1e-9 || position.y() > width - 1e-9;
         load.push_back(!atTip ? 0 : atCorner ? 0.5 : 1);
         count += load.back();
     }
@@ -169,7 +171,8 @@ Strip along(int cells) {
 Strip acrossRows(int cells) {
     const double spacing = 1.0 / cells;
     Strip strip{meshes::grid(cells / 4 + 1, cells + 1, spacing), 1.5 * spacing, 1.0};
-    for (Eigen::Vector2d& place : strip.mesh.places) place = Eigen::Vector2d(place.y(), place.x());
+    for (Eigen::Vector2d& position : strip.mesh.positions)
+        position = Eigen::Vector2d(position.y(), position.x());
     return strip;
 }
 
@@ -186,8 +189,8 @@ Strip bias(int cells) {
     std::vector<std::vector<int>> nodes(static_cast<std::size_t>(rows));
     for (int row = 0; row < rows; ++row) {
         const auto put = [&](double column) {
-            nodes[index(row)].push_back(static_cast<int>(mesh.places.size()));
-            mesh.places.emplace_back(column * spacing, row * spacing);
+            nodes[index(row)].push_back(static_cast<int>(mesh.positions.size()));
+            mesh.positions.emplace_back(column * spacing, row * spacing);
         };
         if (row % 2 == 1) put(0);
         for (int cell = 0; cell < cells; ++cell) put(2 * cell + row % 2);
@@ -197,16 +200,16 @@ Strip bias(int cells) {
     for (int row = 0; row + 1 < rows; ++row) {
         const auto &below = nodes[index(row)], &above = nodes[index(row + 1)];
         std::size_t i = 0, j = 0;
-        const auto place = [&](int node) { return mesh.places[index(node)].x(); };
+        const auto position = [&](int node) { return mesh.positions[index(node)].x(); };
         while (i + 1 < below.size() || j + 1 < above.size()) {
             const bool alongBelow =
                 j + 1 == above.size() ||
-                (i + 1 < below.size() && place(below[i + 1]) < place(above[j + 1]) + 1e-9 * spacing);
+                (i + 1 < below.size() && position(below[i + 1]) < position(above[j + 1]) + 1e-9 * spacing);
             triangles.push_back({below[i], alongBelow ? below[i + 1] : above[j + 1], above[j]});
             ++(alongBelow ? i : j);
         }
     }
-    mesh.cloth = flatMesh(mesh.places, triangles);
+    mesh.cloth = flatMesh(mesh.positions, triangles);
     return {meshes::rotated(mesh, 45 * degree), 1.5 * spacing, 1.0};
 }
 
@@ -228,8 +231,8 @@ double plate(const LaidOut& mesh, int cells, bool clamped) {
 /// Energy of a bend in one direction, in all inner elements, over that of the cloth.
 double bendRatio(const LaidOut& mesh, double direction) {
     const Eigen::Vector2d normal(std::cos(direction), std::sin(direction));
-    const auto heights =
-        sampled(mesh, [&](const Eigen::Vector2d& place) { return 0.5 * std::pow(normal.dot(place), 2); });
+    const auto heights = sampled(
+        mesh, [&](const Eigen::Vector2d& position) { return 0.5 * std::pow(normal.dot(position), 2); });
     double sum = 0, area = 0;
     for (const PlateElement& element : plateElements(mesh.cloth)) {
         if (!isInner(element)) continue;
@@ -267,8 +270,9 @@ TEST(PlateBending, AGridIsEquallyStiffInAllDirections) {
         EXPECT_NEAR(bendRatio(meshes::grid(21, 21, 0.01), direction * degree), 1, 1e-9);
     // So it is where all triangles are the same, but not right-angled.
     LaidOut sheared = meshes::grid(21, 21, 0.01);
-    for (Eigen::Vector2d& place : sheared.places) place = {place.x() + 0.4 * place.y(), 0.8 * place.y()};
-    sheared.cloth = flatMesh(sheared.places, sheared.cloth.triangles);
+    for (Eigen::Vector2d& position : sheared.positions)
+        position = {position.x() + 0.4 * position.y(), 0.8 * position.y()};
+    sheared.cloth = flatMesh(sheared.positions, sheared.cloth.triangles);
     for (const double direction : directions) EXPECT_NEAR(bendRatio(sheared, direction * degree), 1, 1e-9);
 }
 
@@ -285,7 +289,8 @@ TEST(PlateBending, AnIrregularMeshIsAlmostEquallyStiffInAllDirections) {
 
 TEST(PlateBending, CurvatureIsInTheAxesOfTheWeave) {
     const LaidOut mesh = meshes::rotatedGrid(5, 5, 0.01, 30 * degree);
-    const auto heights = sampled(mesh, [](const Eigen::Vector2d& place) { return place.x() * place.x(); });
+    const auto heights =
+        sampled(mesh, [](const Eigen::Vector2d& position) { return position.x() * position.x(); });
     const double cosine = std::cos(30 * degree), sine = std::sin(30 * degree);
     int inner = 0;
     for (const PlateElement& element : plateElements(mesh.cloth)) {
@@ -303,8 +308,9 @@ TEST(PlateBending, OnABorderOnlyCurvatureAcrossItIsFree) {
     const int columns = 6, rows = 5;
     const double spacing = 0.01;
     const LaidOut mesh = meshes::grid(columns, rows, spacing);
-    const auto heights = sampled(mesh, [](const Eigen::Vector2d& place) {
-        return 0.5 * (3 * place.x() * place.x() + 5 * place.y() * place.y()) + 7 * place.x() * place.y();
+    const auto heights = sampled(mesh, [](const Eigen::Vector2d& position) {
+        return 0.5 * (3 * position.x() * position.x() + 5 * position.y() * position.y()) +
+               7 * position.x() * position.y();
     });
     for (const PlateElement& element : plateElements(mesh.cloth)) {
         int left = 0, right = 0, below = 0, above = 0;
@@ -325,13 +331,13 @@ TEST(PlateBending, OnABorderOnlyCurvatureAcrossItIsFree) {
 TEST(PlateBending, OnlyPlanesCostNothing) {
     for (const LaidOut& mesh : {meshes::grid(9, 9, 0.1), meshes::irregular(9, 9, 0.1, 1),
                                 meshes::irregular(9, 9, 0.1, 2, {0.45, 0.5, false})}) {
-        const Eigen::MatrixXd matrix = stiffnessMatrix(plateElements(mesh.cloth), mesh.places.size());
+        const Eigen::MatrixXd matrix = stiffnessMatrix(plateElements(mesh.cloth), mesh.positions.size());
         const Eigen::VectorXd modes = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues();
         EXPECT_LT(std::abs(modes[0]) + std::abs(modes[2]), 1e-12 * modes.tail(1)[0]);
         // The softest of the others is about the even twist, z = x y.
         double squares = 0;
-        for (const Eigen::Vector2d& place : mesh.places)
-            squares += std::pow((place.x() - 0.4) * (place.y() - 0.4), 2);
+        for (const Eigen::Vector2d& position : mesh.positions)
+            squares += std::pow((position.x() - 0.4) * (position.y() - 0.4), 2);
         const double twist = 2 * meshes::totalArea(mesh.cloth) / squares;
         std::printf("softest mode %.3f of the even twist\n", modes[3] / twist);
         EXPECT_NEAR(modes[3] / twist, 0.9, 0.2);
@@ -413,9 +419,9 @@ TEST(PlateBending, ATubeIsBentAllAround) {
     const LaidOut mesh = meshes::tube(around, 8, 0.01);
     const double radius = mesh.circumference / (360 * degree);
     std::vector<Eigen::Vector3d> positions;
-    for (const Eigen::Vector2d& place : mesh.places)
-        positions.emplace_back(radius * std::cos(place.x() / radius), radius * std::sin(place.x() / radius),
-                               place.y());
+    for (const Eigen::Vector2d& position : mesh.positions)
+        positions.emplace_back(radius * std::cos(position.x() / radius),
+                               radius * std::sin(position.x() / radius), position.y());
     int inner = 0;
     for (const PlateElement& element : plateElements(mesh.cloth)) {
         if (!isInner(element)) continue;

@@ -82,13 +82,13 @@ TEST(Pool, TakesBackTheSurplusOfTheFilm) {
 
 // Places of the nodes that a pool wets.
 std::vector<Vector3d> wetPositions(const Cloth& cloth) {
-    std::vector<Vector3d> places;
+    std::vector<Vector3d> positions;
     for (std::size_t node = 0; node < cloth.mesh.size(); ++node) {
         EXPECT_EQ(cloth.filmMass[node] > 0, cloth.covered[node] > 0) << node;
         EXPECT_EQ(cloth.filmMass[node] > 0, cloth.submerged[node] > 0) << node;
-        if (cloth.filmMass[node] > 0) places.push_back(cloth.positions[node]);
+        if (cloth.filmMass[node] > 0) positions.push_back(cloth.positions[node]);
     }
-    return places;
+    return positions;
 }
 
 TEST(Pool, WetsOnlyWhatIsUnderItsLevel) {
@@ -97,7 +97,7 @@ TEST(Pool, WetsOnlyWhatIsUnderItsLevel) {
     Pool pool(0.35);
     run(pool, cloth, 0.1, 1);
     EXPECT_EQ(wetPositions(cloth).size(), 4u * 11u);
-    for (const Vector3d& place : wetPositions(cloth)) EXPECT_LT(place.y(), 0.35);
+    for (const Vector3d& position : wetPositions(cloth)) EXPECT_LT(position.y(), 0.35);
 }
 
 TEST(Pool, WetsOnlyInsideItsRectangleWhicheverWayIsUp) {
@@ -120,9 +120,9 @@ TEST(Pool, WetsOnlyInsideItsRectangleWhicheverWayIsUp) {
         pool.to = {0.35, 0.95};
         run(pool, cloth, 0.1, 1);
         EXPECT_EQ(wetPositions(cloth).size(), 2u * 5u) << up.transpose();
-        for (const Vector3d& place : wetPositions(cloth)) {
-            EXPECT_NEAR(place.dot(first), 0.25, 0.1) << up.transpose();
-            EXPECT_NEAR(place.dot(second), 0.7, 0.25) << up.transpose();
+        for (const Vector3d& position : wetPositions(cloth)) {
+            EXPECT_NEAR(position.dot(first), 0.25, 0.1) << up.transpose();
+            EXPECT_NEAR(position.dot(second), 0.7, 0.25) << up.transpose();
         }
         Cloth above = cloth;
         std::fill(above.filmMass.begin(), above.filmMass.end(), 0);

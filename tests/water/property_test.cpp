@@ -61,8 +61,8 @@ std::vector<float> randomHeights(Random& random, const LaidOut& mesh) {
     const double slope = random.between(0, 1), phase = random.between(0, 6.28),
                  lift = random.between(-10, 10);
     std::vector<float> heights;
-    for (const Eigen::Vector2d& place : mesh.places) {
-        const double along = std::cos(angle) * place.x() + std::sin(angle) * place.y();
+    for (const Eigen::Vector2d& position : mesh.positions) {
+        const double along = std::cos(angle) * position.x() + std::sin(angle) * position.y();
         heights.push_back(
             static_cast<float>(lift + slope * along + (1 - slope) * std::sin(wave * along + phase) / wave));
     }

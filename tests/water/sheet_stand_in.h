@@ -98,7 +98,7 @@ struct Cloth final : Supply {
                 floatingShare};
     }
     void move(const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& to) {
-        for (Eigen::Vector3d& place : positions) place = to(place);
+        for (Eigen::Vector3d& position : positions) position = to(position);
     }
     /// Full pores.
     void fill() {

@@ -84,13 +84,13 @@ struct Strip {
         : mesh(std::move(laid)), water(fabric, mesh.cloth) {
         around.gravity = itsGravity;
         around.heights = meshes::upright(mesh);
-        for (const Eigen::Vector2d& place : mesh.places) top = std::max(top, place.y());
-        for (const Eigen::Vector2d& place : mesh.places) width = std::max(width, place.x());
+        for (const Eigen::Vector2d& position : mesh.positions) top = std::max(top, position.y());
+        for (const Eigen::Vector2d& position : mesh.positions) width = std::max(width, position.x());
     }
 
     void holdFoot() {
         for (std::size_t n = 0; n < water.size(); ++n)
-            if (mesh.places[n].y() < 1e-9)
+            if (mesh.positions[n].y() < 1e-9)
                 water.addPores(n, std::max(water.poreCapacity(n) - water.poreMass()[n], 0.0));
     }
     void runTo(double end, double dt) {
@@ -128,8 +128,8 @@ struct Strip {
 
 // The lowest row as a tank that a long step cannot drain; a row of plain cloth is kept full between steps only.
 LaidOut withTank(LaidOut mesh) {
-    for (std::size_t n = 0; n < mesh.places.size(); ++n)
-        if (mesh.places[n].y() < 1e-9) mesh.cloth.areas[n] *= 1e4;
+    for (std::size_t n = 0; n < mesh.positions.size(); ++n)
+        if (mesh.positions[n].y() < 1e-9) mesh.cloth.areas[n] *= 1e4;
     return mesh;
 }
 
@@ -257,7 +257,7 @@ double worstFromBalance(const Strip& strip, const Fabric& fabric) {
     double worst = 0;
     for (std::size_t n = 0; n < strip.water.size(); ++n)
         worst = std::max(
-            worst, std::abs(strip.water.saturation(n) / balanced(fabric, strip.mesh.places[n].y()) - 1));
+            worst, std::abs(strip.water.saturation(n) / balanced(fabric, strip.mesh.positions[n].y()) - 1));
     return worst;
 }
 
@@ -267,7 +267,8 @@ TEST(Wicking, TheBalanceWithGravityStays) {
         fabric.poreSizeIndex = index;
         Strip strip = uprightStrip(0.005, 0.25, gravity, fabric);
         for (std::size_t n = 0; n < strip.water.size(); ++n)
-            strip.water.addPores(n, balanced(fabric, strip.mesh.places[n].y()) * strip.water.poreCapacity(n));
+            strip.water.addPores(n,
+                                 balanced(fabric, strip.mesh.positions[n].y()) * strip.water.poreCapacity(n));
         strip.runTo(2 * 86400, 60);
         EXPECT_LT(worstFromBalance(strip, fabric), 0.02) << "L " << index;
         std::printf("  L %.1f: off by %.4f\n", index, worstFromBalance(strip, fabric));
@@ -296,9 +297,9 @@ struct Spot {
 
 // A drop stands on the node in the middle until the pores have taken it: too small a place to have a shape of its own.
 Spot spread(const Fabric& fabric, LaidOut mesh, double drop, double seconds) {
-    const std::size_t middle = mesh.places.size() / 2;
+    const std::size_t middle = mesh.positions.size() / 2;
     Spot spot = {std::move(mesh), {}, Eigen::Vector2d::Zero()};
-    spot.middle = spot.mesh.places[middle];
+    spot.middle = spot.mesh.positions[middle];
     Moisture water(fabric, spot.mesh.cloth);
     water.addFilm(middle, drop);
     const double dt = 0.9 * water.explicitBound(0);
@@ -341,7 +342,7 @@ Eigen::Matrix2d spreading(const Spot& spot) {
     double weight = 0;
     for (std::size_t n = 0; n < spot.saturation.size(); ++n) {
         const double mass = spot.saturation[n] * spot.mesh.cloth.areas[n];
-        const Eigen::Vector2d from = spot.mesh.places[n] - spot.middle;
+        const Eigen::Vector2d from = spot.mesh.positions[n] - spot.middle;
         sum += mass * from * from.transpose();
         weight += mass;
     }

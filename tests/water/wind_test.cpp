@@ -98,15 +98,15 @@ TEST(Gusts, HaveTheVarianceAskedForInEachComponent) {
     // Over places so far apart that they know nothing of each other.
     Vector3d mean = Vector3d::Zero(), squares = Vector3d::Zero();
     double worst = 0;
-    constexpr int seeds = 100, places = 400;
+    constexpr int seeds = 100, positions = 400;
     for (std::uint32_t seed = 0; seed < seeds; ++seed) {
         const Gusts wind = gusts(seed);
         Vector3d ofOne = Vector3d::Zero();
-        for (int i = 0; i < places; ++i) {
+        for (int i = 0; i < positions; ++i) {
             const Vector3d turbulence =
                 wind.velocity({37.7 * i, 91.3 * (i % 17), 53.1 * (i % 23)}, 0) - Vector3d(speed, 0, 0);
-            mean += turbulence / (seeds * places);
-            ofOne += turbulence.cwiseAbs2() / places;
+            mean += turbulence / (seeds * positions);
+            ofOne += turbulence.cwiseAbs2() / positions;
         }
         squares += ofOne / seeds;
         worst = std::max(worst, (ofOne / (deviation * deviation) - Vector3d::Ones()).cwiseAbs().maxCoeff());
@@ -121,12 +121,12 @@ TEST(Gusts, NeitherGatherNorThin) {
     const Gusts wind = gusts(4);
     constexpr double apart = 1e-4 * lengthScale;
     for (int i = 0; i < 50; ++i) {
-        const Vector3d place(0.31 * i, 0.17 * i, -0.23 * i);
+        const Vector3d position(0.31 * i, 0.17 * i, -0.23 * i);
         double divergence = 0, steepness = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const Vector3d half = 0.5 * apart * Vector3d::Unit(axis);
             const Vector3d slope =
-                (wind.velocity(place + half, 1.5) - wind.velocity(place - half, 1.5)) / apart;
+                (wind.velocity(position + half, 1.5) - wind.velocity(position - half, 1.5)) / apart;
             divergence += slope[axis];
             steepness += slope.norm();
         }
@@ -161,11 +161,11 @@ TEST(Gusts, AreSmooth) {
 
 TEST(Gusts, AreTheSameForTheSameSeedOnly) {
     const Gusts one = gusts(1), again = gusts(1), other = gusts(2);
-    const Vector3d place(1, 2, 3);
-    EXPECT_EQ(one.velocity(place, 4), again.velocity(place, 4));
-    EXPECT_GT((one.velocity(place, 4) - other.velocity(place, 4)).norm(), 0.01 * deviation);
-    EXPECT_EQ(Gusts({3, 0, 0}, 0, 5).velocity(place, 4), Vector3d(3, 0, 0));
-    EXPECT_EQ(Gusts({0, 0, 0}, 0.2, 5).velocity(place, 4), Vector3d(0, 0, 0));
+    const Vector3d position(1, 2, 3);
+    EXPECT_EQ(one.velocity(position, 4), again.velocity(position, 4));
+    EXPECT_GT((one.velocity(position, 4) - other.velocity(position, 4)).norm(), 0.01 * deviation);
+    EXPECT_EQ(Gusts({3, 0, 0}, 0, 5).velocity(position, 4), Vector3d(3, 0, 0));
+    EXPECT_EQ(Gusts({0, 0, 0}, 0.2, 5).velocity(position, 4), Vector3d(0, 0, 0));
 }
 
 std::string refusal(const std::function<void()>& action) {

@@ -165,9 +165,9 @@ void ClothContacts::keepFacing(const btSoftBody::Node& node) {
     const auto nearest = std::min_element(near_.begin(), near_.end(),
                                           [](const Near& a, const Near& b) { return a.gap < b.gap; });
     std::iter_swap(near_.begin(), nearest);
-    const btVector3 place = startOf(node, true);
+    const btVector3 position = startOf(node, true);
     const auto pointOf = [&](const Near& near) {
-        return place - near.normal * (near.gap + near.partner->margin);
+        return position - near.normal * (near.gap + near.partner->margin);
     };
     const btVector3 point = pointOf(near_[0]), normal = near_[0].normal;
     const btScalar margin = near_[0].partner->margin;

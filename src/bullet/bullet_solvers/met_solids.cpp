@@ -15,12 +15,12 @@ SurfacePoint nearestPart(const btCollisionShape& shape, const btTransform& trans
                          btSparseSdf<3>& field) {
     SurfacePoint nearest = {std::numeric_limits<btScalar>::infinity(), {0, 0, 0}};
     if (shape.isConvex()) {
-        const btVector3 place = transform.invXform(point);
+        const btVector3 position = transform.invXform(point);
         // Bullet counts voxels with whole numbers, and does not look whether they suffice.
         constexpr btScalar maxVoxels = btScalar(1e8);
-        if (!(place.length() < maxVoxels * field.voxelsz)) return nearest;
+        if (!(position.length() < maxVoxels * field.voxelsz)) return nearest;
         SurfacePoint found;
-        found.distance = field.Evaluate(place, &shape, found.normal, 0);
+        found.distance = field.Evaluate(position, &shape, found.normal, 0);
         found.normal = transform.getBasis() * found.normal;
         return found;
     }

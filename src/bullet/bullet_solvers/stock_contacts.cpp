@@ -149,16 +149,16 @@ void StockContacts::hold(btSoftBody& body, const Held& held, btScalar reach) {
 
 void StockContacts::stick(btSoftBody& body, const Held& held) {
     btSoftBody::Node& node = body.m_nodes[held.node];
-    const btTransform& place = solids_[held.solid].end();
+    const btTransform& transform = solids_[held.solid].end();
     const auto n = static_cast<std::size_t>(held.node);
     const btCollisionObject* const object = &solids_[held.solid].object();
     if (stuckBefore_[n].object == object) {
-        const btVector3 back = place * stuckBefore_[n].place - node.m_x;
+        const btVector3 back = transform * stuckBefore_[n].position - node.m_x;
         // Someone has put the sheet or the solid elsewhere if it is farther than links could have pulled it.
         const btScalar max = body.getCollisionShape()->getMargin() + (node.m_x - node.m_q).length();
         if (back.length() <= max) lift(node, alongSurface(back, held.surface.normal));
     }
-    stuck_[n] = {object, place.invXform(node.m_x)};
+    stuck_[n] = {object, transform.invXform(node.m_x)};
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

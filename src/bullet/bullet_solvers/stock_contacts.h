@@ -44,7 +44,7 @@ class StockContacts {
     /// Where friction has held a node.
     struct Stuck {
         const btCollisionObject* object = nullptr;
-        btVector3 place = btVector3(0, 0, 0);  // as the object sees it
+        btVector3 position = btVector3(0, 0, 0);  // as the object sees it
     };
 
     void rewrite(btSoftBody::RContact& contact, btSoftBody& body, const Grip& grip);

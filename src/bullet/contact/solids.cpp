@@ -67,9 +67,9 @@ void Solid::finish(btDispatcher* dispatcher) {
     body->setAngularVelocity(body->getAngularVelocity() + addedSpin_);
     body->activate();
     if (touchesSolids(*object_, dispatcher)) return;
-    btTransform place;
-    btTransformUtil::integrateTransform(body->getWorldTransform(), shift_, turn_, 1, place);
-    body->setCenterOfMassTransform(place);
+    btTransform transform;
+    btTransformUtil::integrateTransform(body->getWorldTransform(), shift_, turn_, 1, transform);
+    body->setCenterOfMassTransform(transform);
 }
 
 btScalar Solid::response(const btVector3& arm, const btVector3& direction) const {

@@ -93,7 +93,7 @@ void FluidForces::evaluate(const btSoftBody& body, const Around& around) {
     gather(around);
     gatherWater(around);
     const AirDrag drag = around.laws.drag(0);  // of its members only the permeability depends on the water
-    bestPushByFluid()(forces_.data(), faces_.data(), around.pose.places.data(), velocities_.data(),
+    bestPushByFluid()(forces_.data(), faces_.data(), around.pose.relativePositions.data(), velocities_.data(),
                       accelerations_.data(), fluid_.data(),
                       {float(airDensity), float(waterDensity), float(0.5 * drag.normal),
                        float(0.5 * drag.tangential), float(addedMass_), float(around.substep)},

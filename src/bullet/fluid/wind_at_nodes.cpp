@@ -34,11 +34,11 @@ double checkedLength(const WindField& field) {
                                " m; return one above 0, infinity for a wind that is the same everywhere");
 }
 
-Eigen::Vector3d checkedVelocity(const WindField& field, const Eigen::Vector3d& place, double time) {
-    Eigen::Vector3d velocity = field.velocity(place, time);
+Eigen::Vector3d checkedVelocity(const WindField& field, const Eigen::Vector3d& position, double time) {
+    Eigen::Vector3d velocity = field.velocity(position, time);
     if (velocity.norm() <= fastest) return velocity;
     refuse<std::runtime_error>("the wind field in WetCloth::air().field has a velocity of ", velocity,
-                               " m/s at ", sixDigits(place), " m and ", sixDigits(time),
+                               " m/s at ", sixDigits(position), " m and ", sixDigits(time),
                                " s; return finite ones of at most 10000 m/s");
 }
 
@@ -101,11 +101,11 @@ void WindAtNodes::fill(const Eigen::Vector3d& wind) {
 
 /// Spans the sheet. The lattice never gets coarser again: each change moves the wind a little.
 void WindAtNodes::layLattice(double spacing, const Pose& pose) {
-    low_ = arrayOf(pose.places[0]);
+    low_ = arrayOf(pose.relativePositions[0]);
     Eigen::Array4f high = low_;
     for (std::size_t n = 1; n < velocities_.size(); ++n) {
-        low_ = low_.min(arrayOf(pose.places[n]));
-        high = high.max(arrayOf(pose.places[n]));
+        low_ = low_.min(arrayOf(pose.relativePositions[n]));
+        high = high.max(arrayOf(pose.relativePositions[n]));
     }
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         std::size_t& points = points_[static_cast<std::size_t>(axis)];
@@ -122,9 +122,9 @@ void WindAtNodes::readField(const Air& air, const Moment& moment) {
     for (std::size_t k = 0; k < points_[2]; ++k)
         for (std::size_t j = 0; j < points_[1]; ++j)
             for (std::size_t i = 0; i < points_[0]; ++i) {
-                const Eigen::Array4f place =
+                const Eigen::Array4f position =
                     low_ + distance_ * Eigen::Array4f(float(i), float(j), float(k), 0);
-                const Eigen::Vector3d where = moment.origin + vector3Of(nodeOf(place));
+                const Eigen::Vector3d where = moment.origin + vector3Of(nodeOf(position));
                 lattice_[point++] = packed(air.wind + checkedVelocity(*air.field, where, moment.time));
             }
 }
@@ -136,7 +136,7 @@ void WindAtNodes::interpolate(const Pose& pose) {
         last[static_cast<Eigen::Index>(axis)] = static_cast<int>(points_[axis]) - 2;
     const std::size_t row = points_[0], layer = points_[0] * points_[1];
     for (std::size_t n = 0; n < velocities_.size(); ++n) {
-        const Eigen::Array4f at = (arrayOf(pose.places[n]) - low_) * perDistance;
+        const Eigen::Array4f at = (arrayOf(pose.relativePositions[n]) - low_) * perDistance;
         const Eigen::Array4i cell = at.cast<int>().min(last);
         const Eigen::Array4f rest = at - cell.cast<float>();
         const PackedVector* const corner =
@@ -175,7 +175,7 @@ void WindAtNodes::askUpwind(double length, const Moment& moment) {
         Patch& patch = patches_[nextRay_];
         nextRay_ = (nextRay_ + 1) % patches_.size();
         const Eigen::Vector3d wind = vector3Of(velocities_[patch.middle]);
-        const Eigen::Vector3d from = moment.origin + vector3Of(moment.pose.places[patch.middle]);
+        const Eigen::Vector3d from = moment.origin + vector3Of(moment.pose.relativePositions[patch.middle]);
         const double speed = wind.norm();
         patch.passing = 1;
         if (!(speed > 0)) continue;

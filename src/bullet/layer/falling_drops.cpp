@@ -157,7 +157,7 @@ void FallingDrops::step(double dt) {
 
 void FallingDrops::save(StateWriter& writer) const {
     const auto& sheets = sheets_->all;
-    const auto placeOf = [&](const void* sheet) {
+    const auto sheetIndexOf = [&](const void* sheet) {
         const auto found = std::find_if(sheets.begin(), sheets.end(),
                                         [&](const auto& each) { return each.lock().get() == sheet; });
         return found == sheets.end() ? std::int32_t{-1} : static_cast<std::int32_t>(found - sheets.begin());
@@ -165,7 +165,7 @@ void FallingDrops::save(StateWriter& writer) const {
     SavedDrops saved{massOnSheets_, massElsewhere_, massLost_, {}};
     for (std::size_t i = 0; i < flights_.size(); ++i) {
         const Origins::Origin& origin = origins_->all[i];
-        saved.all.push_back({flights_[i], origin.position, origin.momentumShare, placeOf(origin.sheet)});
+        saved.all.push_back({flights_[i], origin.position, origin.momentumShare, sheetIndexOf(origin.sheet)});
     }
     StatePass pass(writer);
     pass.part(saved);
@@ -178,11 +178,11 @@ void FallingDrops::load(StateReader& reader) {
     std::vector<Flight> flights;
     Origins origins;
     for (const SavedDrops::Flying& each : saved.all) {
-        const auto place = static_cast<std::size_t>(each.sheet);
-        if (each.sheet >= 0 && place >= sheets_->all.size())
-            refuse<std::runtime_error>("saved drops fell from sheet ", place, " of ", sheets_->all.size(),
+        const auto index = static_cast<std::size_t>(each.sheet);
+        if (each.sheet >= 0 && index >= sheets_->all.size())
+            refuse<std::runtime_error>("saved drops fell from sheet ", index, " of ", sheets_->all.size(),
                                        "; add the same sheets in the same order");
-        const void* const sheet = each.sheet < 0 ? nullptr : sheets_->all[place].lock().get();
+        const void* const sheet = each.sheet < 0 ? nullptr : sheets_->all[index].lock().get();
         flights.push_back(each.flight);
         origins.all.push_back({each.origin, sheet, each.momentumShare});
     }
@@ -205,7 +205,7 @@ bool FallingDrops::land(std::size_t i, const Eigen::Vector3d& to) {
         ray.hasHit() ? double(ray.m_closestHitFraction) : std::numeric_limits<double>::infinity();
 
     std::shared_ptr<WetCloth::Layer> wetted;
-    Hit place{};
+    Hit landing{};
     for (const auto& sheet : sheets_->all) {
         const auto layer = sheet.lock();
         if (!layer || !layer->isInWorld() || !layer->fits()) continue;
@@ -214,15 +214,15 @@ bool FallingDrops::land(std::size_t i, const Eigen::Vector3d& to) {
         if (!hit || hit->fraction >= nearest) continue;
         nearest = hit->fraction;
         wetted = layer;
-        place = *hit;
+        landing = *hit;
     }
     const double mass = flight.mass * double(flight.count);
     if (wetted) {
         Supply& drops = wetted->account("drops");
         for (int corner = 0; corner < 3; ++corner) {
-            const auto node =
-                static_cast<std::size_t>(indexOf(wetted->body, wetted->body.m_faces[place.face].m_n[corner]));
-            const double here = mass * place.weights[corner];
+            const auto node = static_cast<std::size_t>(
+                indexOf(wetted->body, wetted->body.m_faces[landing.face].m_n[corner]));
+            const double here = mass * landing.weights[corner];
             drops.addFilm(node, here * origin.momentumShare, flight.velocity);
             drops.addFilm(node, here * (1 - origin.momentumShare));
         }

@@ -168,7 +168,7 @@ struct WetCloth::Layer final : TickListener {
     int refits = 0;                  // to a body that was cut
     PartCounts refused = {0, 0, 0};  // of the body that could not be followed last
     std::string whyRefused;
-    std::vector<btVector3> strangersPlaces;  // of its nodes, m
+    std::vector<btVector3> unfitPositions;  // of its nodes, m
 
     Ticks ticks;
 };

@@ -82,9 +82,9 @@ bool WetCloth::Layer::fitToBody() {
 void WetCloth::Layer::mendStranger() {
     mendSettings(body, troubles);
     mendGravity(body, usedGravity, troubles);
-    if (mechanics.fits) strangersPlaces = pose.placesInWorld();
-    mendNodes(body, strangersPlaces, {}, troubles);
-    strangersPlaces = placesOf(body);
+    if (mechanics.fits) unfitPositions = pose.positionsInWorld();
+    mendNodes(body, unfitPositions, {}, troubles);
+    unfitPositions = positionsOf(body);
 }
 
 void WetCloth::Layer::leaveToBullet() {
@@ -133,7 +133,7 @@ void WetCloth::Layer::mendBody() {
     mendGravity(body, usedGravity, troubles);
     usedGravity = body.m_worldInfo->m_gravity;
     if (pose.gather(body, mesh)) return;
-    mendNodes(body, pose.placesInWorld(), mechanics.masses, troubles);
+    mendNodes(body, pose.positionsInWorld(), mechanics.masses, troubles);
     pose.gather(body, mesh);
 }
 

@@ -61,7 +61,7 @@ class NodeMender {
 
     void mend(int n) {
         btSoftBody::Node& node = body_.m_nodes[n];
-        if (const double off = excess(node.m_x, farthestPlace); isOff(off)) mendPlace(n, off);
+        if (const double off = excess(node.m_x, farthestPosition); isOff(off)) repairPosition(n, off);
         if (const double off = excess(node.m_v, fastestNode); isOff(off)) {
             troubles_.note(Trouble::velocity,
                            textOf("node ", n, " has a velocity of ", sixDigits(off),
@@ -81,7 +81,7 @@ class NodeMender {
     }
 
   private:
-    void mendPlace(int n, double off) {
+    void repairPosition(int n, double off) {
         btSoftBody::Node& node = body_.m_nodes[n];
         troubles_.note(
             Trouble::position,
@@ -89,21 +89,21 @@ class NodeMender {
                    " m along an axis; a force, an obstacle or a setting has blown the sheet up in the "
                    "substep before"),
             n, off);
-        node.m_x = node.m_q = lastPlaceOf(n);
+        node.m_x = node.m_q = lastPositionOf(n);
         node.m_v.setZero();
         const btScalar margin = body_.getCollisionShape()->getMargin();
         ATTRIBUTE_ALIGNED16(btDbvtVolume) volume = btDbvtVolume::FromCR(node.m_x, margin);
         if (node.m_leaf) body_.m_ndbvt.update(node.m_leaf, volume);
     }
 
-    btVector3 lastPlaceOf(int n) const {
+    btVector3 lastPositionOf(int n) const {
         const auto at = static_cast<std::size_t>(n);
         if (at < lastGood_.size()) return lastGood_[at];
         const btSoftBody::Node* const node = &body_.m_nodes[n];
         for (int i = 0; i < body_.m_links.size(); ++i)
             for (int end = 0; end < 2; ++end) {
                 const btSoftBody::Node& other = *body_.m_links[i].m_n[1 - end];
-                if (body_.m_links[i].m_n[end] == node && !isOff(excess(other.m_x, farthestPlace)))
+                if (body_.m_links[i].m_n[end] == node && !isOff(excess(other.m_x, farthestPosition)))
                     return other.m_x;
             }
         return lastGood_.empty() ? btVector3(0, 0, 0) : lastGood_[0];
@@ -171,11 +171,11 @@ void mendNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const s
     for (int n = 0; n < body.m_nodes.size(); ++n) mender.mend(n);
 }
 
-std::vector<btVector3> placesOf(const btSoftBody& body) {
-    std::vector<btVector3> places;
-    places.reserve(static_cast<std::size_t>(body.m_nodes.size()));
-    for (int n = 0; n < body.m_nodes.size(); ++n) places.push_back(body.m_nodes[n].m_x);
-    return places;
+std::vector<btVector3> positionsOf(const btSoftBody& body) {
+    std::vector<btVector3> positions;
+    positions.reserve(static_cast<std::size_t>(body.m_nodes.size()));
+    for (int n = 0; n < body.m_nodes.size(); ++n) positions.push_back(body.m_nodes[n].m_x);
+    return positions;
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

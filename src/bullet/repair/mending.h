@@ -28,7 +28,7 @@ void mendNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const s
                Troubles& troubles);
 
 /// Where the nodes of a body are, m.
-std::vector<btVector3> placesOf(const btSoftBody& body);
+std::vector<btVector3> positionsOf(const btSoftBody& body);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

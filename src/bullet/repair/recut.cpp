@@ -118,7 +118,8 @@ class Recutter {
     }
 
     std::size_t nearestOf(const std::vector<std::size_t>& candidates, const Triangle& triangle) {
-        const btVector3 middle = (placeOf(triangle[0]) + placeOf(triangle[1]) + placeOf(triangle[2])) / 3;
+        const btVector3 middle =
+            (positionOf(triangle[0]) + positionOf(triangle[1]) + positionOf(triangle[2])) / 3;
         std::size_t nearest = candidates.front();
         btScalar min = std::numeric_limits<btScalar>::infinity();
         for (const std::size_t candidate : candidates) {
@@ -130,11 +131,12 @@ class Recutter {
         return nearest;
     }
 
-    const btVector3& placeOf(int node) const { return body_.m_nodes[node].m_x; }
+    const btVector3& positionOf(int node) const { return body_.m_nodes[node].m_x; }
 
-    FaceProjection::Nearest projected(const btVector3& place, std::size_t face) {
+    FaceProjection::Nearest projected(const btVector3& position, std::size_t face) {
         const Triangle& corners = old_.triangles[face];
-        return projection_.of(place, placeOf(corners[0]), placeOf(corners[1]), placeOf(corners[2]));
+        return projection_.of(position, positionOf(corners[0]), positionOf(corners[1]),
+                              positionOf(corners[2]));
     }
 
     Weights weightsOf(int node, std::size_t face) {
@@ -144,17 +146,17 @@ class Recutter {
                 weights[corner] = 1;
                 return weights;
             }
-        return sharesOf(placeOf(node), face);
+        return sharesOf(positionOf(node), face);
     }
 
     /// Of the corners of an old face, in its plane; outside of it some are below 0.
-    Weights sharesOf(const btVector3& place, std::size_t face) const {
+    Weights sharesOf(const btVector3& position, std::size_t face) const {
         const Triangle& corners = old_.triangles[face];
-        const Eigen::Vector3d origin = toEigen(placeOf(corners[0]));
+        const Eigen::Vector3d origin = toEigen(positionOf(corners[0]));
         Eigen::Matrix<double, 3, 2> sides;
-        sides << toEigen(placeOf(corners[1])) - origin, toEigen(placeOf(corners[2])) - origin;
+        sides << toEigen(positionOf(corners[1])) - origin, toEigen(positionOf(corners[2])) - origin;
         const Eigen::Matrix2d products = sides.transpose() * sides;
-        const Eigen::Vector2d along = products.inverse() * (sides.transpose() * (toEigen(place) - origin));
+        const Eigen::Vector2d along = products.inverse() * (sides.transpose() * (toEigen(position) - origin));
         if (!along.allFinite()) throw std::invalid_argument(textOf("face ", face, " has no area now"));
         return {1 - along.sum(), along.x(), along.y()};
     }
@@ -189,7 +191,8 @@ class Recutter {
 
     btScalar lengthOf(const std::array<int, 2>& nodes) const {
         const auto found = lengths_.find(pairOf(nodes[0], nodes[1]));
-        return found != lengths_.end() ? found->second : (placeOf(nodes[1]) - placeOf(nodes[0])).length();
+        return found != lengths_.end() ? found->second
+                                       : (positionOf(nodes[1]) - positionOf(nodes[0])).length();
     }
 
     /// What stands on the old nodes, on the new ones.

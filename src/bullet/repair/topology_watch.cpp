@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t callsForAll = 64;
 
 template <typename Element>
-const Element* placeOf(const btAlignedObjectArray<Element>& array) {
+const Element* firstElement(const btAlignedObjectArray<Element>& array) {
     return array.size() > 0 ? &array[0] : nullptr;
 }
 
@@ -44,14 +44,14 @@ void TopologyWatch::follow(btSoftBody& body) {
         forgetContacts(body);
         moveAnchors(body, nodes_);
     }
-    nodes_ = placeOf(body.m_nodes);
-    links_ = placeOf(body.m_links);
-    faces_ = placeOf(body.m_faces);
+    nodes_ = firstElement(body.m_nodes);
+    links_ = firstElement(body.m_links);
+    faces_ = firstElement(body.m_faces);
 }
 
 bool TopologyWatch::hasMoved(const btSoftBody& body) const {
-    return nodes_ != placeOf(body.m_nodes) || links_ != placeOf(body.m_links) ||
-           faces_ != placeOf(body.m_faces);
+    return nodes_ != firstElement(body.m_nodes) || links_ != firstElement(body.m_links) ||
+           faces_ != firstElement(body.m_faces);
 }
 
 bool TopologyWatch::isAsItWas(const btSoftBody& body, const RestShape& shape) {

@@ -16,18 +16,18 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-const Eigen::Vector3d& place(const TriangleMesh& mesh, int node) {
+const Eigen::Vector3d& position(const TriangleMesh& mesh, int node) {
     return mesh.vertices[static_cast<std::size_t>(node)];
 }
 
 /// Whether two triangles are the halves of a cell that their side cuts from corner to corner.
 bool isDiagonal(const TriangleMesh& mesh, const NodePair& side, const NodePair& apices) {
     constexpr double longer = 1.1, flat = 0.9;  // cosine of the angle between the two halves
-    const Eigen::Vector3d along = place(mesh, side[1]) - place(mesh, side[0]);
+    const Eigen::Vector3d along = position(mesh, side[1]) - position(mesh, side[0]);
     std::array<Eigen::Vector3d, 2> normals;
     for (std::size_t k = 0; k < 2; ++k) {
-        const Eigen::Vector3d from = place(mesh, apices[k]) - place(mesh, side[0]);
-        const Eigen::Vector3d to = place(mesh, apices[k]) - place(mesh, side[1]);
+        const Eigen::Vector3d from = position(mesh, apices[k]) - position(mesh, side[0]);
+        const Eigen::Vector3d to = position(mesh, apices[k]) - position(mesh, side[1]);
         if (along.norm() < longer * std::max(from.norm(), to.norm())) return false;
         normals[k] = along.cross(from).normalized();
     }
@@ -93,11 +93,11 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
                                       const TriangleMesh& mesh) {
     validate(fabric);
     validate(mesh);
-    std::vector<btVector3> places;
-    places.reserve(mesh.vertices.size());
-    for (const Eigen::Vector3d& vertex : mesh.vertices) places.push_back(toBullet(vertex));
-    auto body =
-        std::make_unique<btSoftBody>(&worldInfo, static_cast<int>(places.size()), places.data(), nullptr);
+    std::vector<btVector3> positions;
+    positions.reserve(mesh.vertices.size());
+    for (const Eigen::Vector3d& vertex : mesh.vertices) positions.push_back(toBullet(vertex));
+    auto body = std::make_unique<btSoftBody>(&worldInfo, static_cast<int>(positions.size()), positions.data(),
+                                             nullptr);
     appendCloth(*body, mesh);
     setMeshMasses(*body, fabric.arealDensity);
     body->m_cfg.kDF = btScalar(fabric.plateFrictionDry);

@@ -6,13 +6,13 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 Pose::Pose(const ClothMesh& mesh)
-    : places(mesh.size() + 1, PackedVector{0, 0, 0, 0}),
+    : relativePositions(mesh.size() + 1, PackedVector{0, 0, 0, 0}),
       speeds(mesh.size() + 1, PackedVector{0, 0, 0, 0}),
       heights(mesh.size()),
       positions(mesh.size()),
       velocities(mesh.size()),
       trianglesAround(mesh.size()),
-      newPlaces_(places) {
+      newRelativePositions_(relativePositions) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (const int node : mesh.triangles[t])
             trianglesAround[static_cast<std::size_t>(node)].push_back(static_cast<int>(t));
@@ -27,10 +27,10 @@ bool Pose::gather(const btSoftBody& body, const ClothMesh& mesh) {
     btScalar area = 0, sum = 0, lightest = 0;
     for (std::size_t n = 0; n < heights.size(); ++n) {
         const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-        const btVector3 place = node.m_x - first, &velocity = node.m_v;
-        newPlaces_[n] = {float(place.x()), float(place.y()), float(place.z()), 0};
+        const btVector3 position = node.m_x - first, &velocity = node.m_v;
+        newRelativePositions_[n] = {float(position.x()), float(position.y()), float(position.z()), 0};
         speeds[n] = {float(velocity.x()), float(velocity.y()), float(velocity.z()), 0};
-        heights[n] = float(place.dot(direction));
+        heights[n] = float(position.dot(direction));
         momentum += velocity * btScalar(mesh.areas[n]);
         area += btScalar(mesh.areas[n]);
         farthest.setMax(node.m_x.absolute());
@@ -39,19 +39,20 @@ bool Pose::gather(const btSoftBody& body, const ClothMesh& mesh) {
         const btVector3 all = node.m_x + velocity + node.m_f;
         sum += (all.x() + all.y() + all.z() + node.m_im) * 0;  // NaN for what is not finite
     }
-    const bool isSound = sum == 0 && lightest >= 0 && double(farthest[farthest.maxAxis()]) <= farthestPlace &&
+    const bool isSound = sum == 0 && lightest >= 0 &&
+                         double(farthest[farthest.maxAxis()]) <= farthestPosition &&
                          double(fastest[fastest.maxAxis()]) <= fastestNode;
     if (isSound) {
         origin = first;
-        places.swap(newPlaces_);
+        relativePositions.swap(newRelativePositions_);
     }
     meanVelocity = area > 0 ? toEigen(momentum / area) : Eigen::Vector3d(Eigen::Vector3d::Zero());
     return isSound;
 }
 
-std::vector<btVector3> Pose::placesInWorld() const {
+std::vector<btVector3> Pose::positionsInWorld() const {
     std::vector<btVector3> all;
-    for (std::size_t n = 0; n < heights.size(); ++n) all.push_back(origin + vectorOf(places[n]));
+    for (std::size_t n = 0; n < heights.size(); ++n) all.push_back(origin + vectorOf(relativePositions[n]));
     return all;
 }
 

@@ -24,12 +24,13 @@ struct Pose {
     ///     them; if not, places are those of the last time that they were
     bool gather(const btSoftBody& body, const ClothMesh& mesh);
     /// Where the nodes are, in the world, m.
-    std::vector<btVector3> placesInWorld() const;
+    std::vector<btVector3> positionsInWorld() const;
     /// Reads positions and velocities once more, for sources.
     void gatherMotion(const btSoftBody& body);
 
     btVector3 origin = btVector3(0, 0, 0);  // of the places, m: the first node
-    std::vector<PackedVector> places;  // m, from there, so that far from the world's origin digits are kept
+    std::vector<PackedVector>
+        relativePositions;             // m, from there, so that far from the world's origin digits are kept
     std::vector<PackedVector> speeds;  // m/s
     std::vector<float> heights;        // m, of places along `up`
     Eigen::Vector3d meanVelocity = Eigen::Vector3d::Zero();  // of the cloth, by its nodes' areas, m/s
@@ -41,7 +42,7 @@ struct Pose {
     std::vector<std::vector<int>> trianglesAround;  // indices, of each node
 
   private:
-    std::vector<PackedVector> newPlaces_;
+    std::vector<PackedVector> newRelativePositions_;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -22,7 +22,7 @@ void SheetAnchors::begin(const btSoftBody& body, SmallStepSheet& sheet, const So
     for (Tie& tie : ties_) {
         const btTransform& end = solids[tie.solid].end();
         const btVector3 arm = end.getBasis() * body.m_anchors[tie.anchor].m_local;
-        tie.from = end.getOrigin() + arm - sheet.startPlace(static_cast<std::size_t>(tie.node));
+        tie.from = end.getOrigin() + arm - sheet.startPosition(static_cast<std::size_t>(tie.node));
         tie.arm = solids[tie.solid].middle(arm);
         const auto node = static_cast<std::size_t>(tie.node);
         if (!(sheet.moved(node).inverseMass > 0)) continue;

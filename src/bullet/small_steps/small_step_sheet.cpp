@@ -110,11 +110,11 @@ SmallStepSheet::SmallStepSheet(const SheetMechanics& mechanics, const SmallStepK
       count_(mechanics.mesh.size()),
       triangles_(mechanics.mesh.triangles),
       stretch_(mechanics.stretch) {
-    const std::size_t places = count_ + 1;
+    const std::size_t slots = count_ + 1;
     for (auto* nodes : {&start_, &velocity_, &acceleration_, &reach_, &moved_, &predicted_, &steps_, &push_,
                         &pushAndMoments_, &ahead_})
-        nodes->assign(places, MovingNode{0, 0, 0, 0});
-    ratios_.assign(places, NodeRatios{1, 1, 1, 0});
+        nodes->assign(slots, MovingNode{0, 0, 0, 0});
+    ratios_.assign(slots, NodeRatios{1, 1, 1, 0});
     packLinks(mechanics);
     packPlates(mechanics);
 }
@@ -175,7 +175,7 @@ void SmallStepSheet::packPlates(const SheetMechanics& mechanics) {
         std::memset(&state, 0, sizeof state);
         std::array<int, blockWidth> classes;
         for (std::size_t lane = 0; lane < blockWidth; ++lane) {
-            for (auto& place : block.nodes) place[lane] = spare;
+            for (auto& slot : block.nodes) slot[lane] = spare;
             classes[lane] = -1;
             if (chosen[lane] < 0) continue;
             const PlateElement& element = elements[static_cast<std::size_t>(chosen[lane])];
@@ -212,20 +212,20 @@ void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechani
     boundNodes(body);
     if (double(body.m_restLengthScale) == restLengthScale_) return;
     restLengthScale_ = double(body.m_restLengthScale);
-    for (std::size_t place = 0; place < linkOf_.size(); ++place)
-        if (linkOf_[place] >= 0)
-            links_[place / blockWidth].restLength[place % blockWidth] = float(
-                restLengthScale_ * mechanics.shape.links[static_cast<std::size_t>(linkOf_[place])].length);
+    for (std::size_t slot = 0; slot < linkOf_.size(); ++slot)
+        if (linkOf_[slot] >= 0)
+            links_[slot / blockWidth].restLength[slot % blockWidth] = float(
+                restLengthScale_ * mechanics.shape.links[static_cast<std::size_t>(linkOf_[slot])].length);
 }
 
 void SmallStepSheet::boundNodes(const btSoftBody& body) {
     bounds_.resize((count_ + nodesOfBounds - 1) / nodesOfBounds);
     for (std::size_t n = 0; n < count_; ++n) {
         Bounds& bounds = bounds_[n / nodesOfBounds];
-        const btVector3& place = body.m_nodes[static_cast<int>(n)].m_x;
-        if (n % nodesOfBounds == 0) bounds = {place, place};
-        bounds.take(place);
-        bounds.take(place + vectorOf(reach_[n]));
+        const btVector3& position = body.m_nodes[static_cast<int>(n)].m_x;
+        if (n % nodesOfBounds == 0) bounds = {position, position};
+        bounds.take(position);
+        bounds.take(position + vectorOf(reach_[n]));
     }
 }
 
@@ -363,7 +363,7 @@ void SmallStepSheet::place(std::size_t node, const btVector3& by) {
 
 int SmallStepSheet::firstLost() const {
     const auto isOff = [](const MovingNode& moved) {
-        return !(std::abs(moved.x) + std::abs(moved.y) + std::abs(moved.z) <= float(farthestPlace));
+        return !(std::abs(moved.x) + std::abs(moved.y) + std::abs(moved.z) <= float(farthestPosition));
     };
     const auto found = std::find_if(moved_.begin(), moved_.end() - 1, isOff);  // the spare one does not count
     return found == moved_.end() - 1 ? -1 : static_cast<int>(found - moved_.begin());

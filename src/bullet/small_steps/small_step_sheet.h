@@ -71,7 +71,7 @@ class SmallStepSheet {
     /// Where a node is as the substep begins, m, from a place near the sheet.
     const MovingNode& start(std::size_t node) const { return start_[node]; }
     /// The same in the world.
-    btVector3 startPlace(std::size_t node) const { return origin_ + vectorOf(start_[node]); }
+    btVector3 startPosition(std::size_t node) const { return origin_ + vectorOf(start_[node]); }
     /// Where a node would be at the end of the substep if nothing held it, from where it is at the start.
     const MovingNode& reach(std::size_t node) const { return reach_[node]; }
     /// Around where so many nodes in a row are and might come.

@@ -188,7 +188,7 @@ btVector3 SoftContacts::place(Contact& contact, std::size_t corner, btSoftBody::
         contact.sheets[corner] = sheet.cloth;
         contact.nodes[corner] = static_cast<std::size_t>(&node - &sheet.body->m_nodes[0]);
         contact.moved[corner] = &sheet.cloth->moved(contact.nodes[corner]);
-        return sheet.cloth->startPlace(contact.nodes[corner]);
+        return sheet.cloth->startPosition(contact.nodes[corner]);
     }
     contact.sheets[corner] = nullptr;
     contact.nodes[corner] = guestOf(node, body.isActive());

@@ -26,7 +26,7 @@ btVector3 ownMotion(const btCollisionObject& object, const btVector3& point, dou
 
 void SolidContacts::clear() {
     contacts_.clear();
-    places_.clear();
+    solidPoints_.clear();
     mesh_ = nullptr;
 }
 
@@ -97,17 +97,17 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
         with.margin + std::max(approach.length(), sheet.farthestReach() / 2) + (isBonded ? reach_ : 0);
     if (surface.distance > with.margin + slack + std::max(btScalar(0), -approach.dot(surface.normal))) return;
 
-    const Place place{with.solid,
-                      &with.shape,
-                      with.isTriangle,
-                      with.shapeInSolid,
-                      node.m_x - surface.normal * surface.distance,
-                      surface.normal,
-                      btVector3(0, 0, 0),
-                      0,
-                      surface.distance,
-                      true};
-    const std::size_t at = with.isTriangle ? placeOnMesh(n, place, node.m_x) : contacts_.size();
+    const SolidPoint solidPoint{with.solid,
+                                &with.shape,
+                                with.isTriangle,
+                                with.shapeInSolid,
+                                node.m_x - surface.normal * surface.distance,
+                                surface.normal,
+                                btVector3(0, 0, 0),
+                                0,
+                                surface.distance,
+                                true};
+    const std::size_t at = with.isTriangle ? indexOnMesh(n, solidPoint, node.m_x) : contacts_.size();
     if (at == contacts_.size()) {
         const double bond = with.grip.bond(with.surface, n);
         contacts_.push_back({static_cast<int>(n),
@@ -117,19 +117,19 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
                              float(bond),
                              isBonded && bond > 0,
                              false});
-        places_.push_back(place);
+        solidPoints_.push_back(solidPoint);
     } else if (at < contacts_.size()) {
-        places_[at] = place;
+        solidPoints_[at] = solidPoint;
     }
 }
 
-std::size_t SolidContacts::placeOnMesh(std::size_t n, const Place& place, const btVector3& start) {
+std::size_t SolidContacts::indexOnMesh(std::size_t n, const SolidPoint& solidPoint, const btVector3& start) {
     const std::size_t nowhere = contacts_.size() + 1;
     const btTransform& solid = mesh_->getWorldTransform();
-    const auto wayOf = [&](const Place& of) {
+    const auto wayOf = [&](const SolidPoint& of) {
         return normalOfTriangle(*of.shape, solid * of.shapeInSolid, start);
     };
-    const btVector3 way = wayOf(place);
+    const btVector3 way = wayOf(solidPoint);
     std::size_t farthest = nowhere;
     for (int& known : meshContacts_[n]) {
         if (known < 0) {
@@ -137,10 +137,11 @@ std::size_t SolidContacts::placeOnMesh(std::size_t n, const Place& place, const 
             return contacts_.size();
         }
         const auto at = static_cast<std::size_t>(known);
-        if (faceAlike(wayOf(places_[at]), way)) return places_[at].distance > place.distance ? at : nowhere;
-        if (farthest == nowhere || places_[at].distance > places_[farthest].distance) farthest = at;
+        if (faceAlike(wayOf(solidPoints_[at]), way))
+            return solidPoints_[at].distance > solidPoint.distance ? at : nowhere;
+        if (farthest == nowhere || solidPoints_[at].distance > solidPoints_[farthest].distance) farthest = at;
     }
-    return places_[farthest].distance > place.distance ? farthest : nowhere;
+    return solidPoints_[farthest].distance > solidPoint.distance ? farthest : nowhere;
 }
 
 void SolidContacts::choose(const btSoftBody& body, const Solids& solids) {
@@ -157,55 +158,56 @@ void SolidContacts::choose(const btSoftBody& body, const Solids& solids) {
         if (last < 0 || before(last) < 0) continue;
         int nearest = last;
         for (int i = before(last); i >= 0; i = before(i))
-            if (places_[static_cast<std::size_t>(i)].distance <
-                places_[static_cast<std::size_t>(nearest)].distance)
+            if (solidPoints_[static_cast<std::size_t>(i)].distance <
+                solidPoints_[static_cast<std::size_t>(nearest)].distance)
                 nearest = i;
         const auto chosen = static_cast<std::size_t>(nearest);
         const btVector3& start = body.m_nodes[contacts_[chosen].node].m_x;
         for (int i = last; i >= 0; i = before(i))
-            if (i != nearest) choose(start, places_[chosen], margin, static_cast<std::size_t>(i), solids);
+            if (i != nearest)
+                choose(start, solidPoints_[chosen], margin, static_cast<std::size_t>(i), solids);
     }
     removeLeftOut();
 }
 
-void SolidContacts::choose(const btVector3& start, const Place& nearest, btScalar margin, std::size_t other,
-                           const Solids& solids) {
+void SolidContacts::choose(const btVector3& start, const SolidPoint& nearest, btScalar margin,
+                           std::size_t other, const Solids& solids) {
     constexpr btScalar otherFace = btScalar(-0.5);
-    Place& place = places_[other];
+    SolidPoint& solidPoint = solidPoints_[other];
     Contact& contact = contacts_[other];
-    const btTransform transform = solids[place.solid].end() * place.shapeInSolid;
+    const btTransform transform = solids[solidPoint.solid].end() * solidPoint.shapeInSolid;
     const btVector3& up = nearest.normal;
-    const btScalar top = place.isTriangle ? farthestOfTriangle(*place.shape, transform, up)
-                                          : farthestAlong(*place.shape, transform, up);
+    const btScalar top = solidPoint.isTriangle ? farthestOfTriangle(*solidPoint.shape, transform, up)
+                                               : farthestAlong(*solidPoint.shape, transform, up);
     if (!risesAbove(top - up.dot(nearest.point), margin)) {
         contact.node = -1;
         return;
     }
-    place.facesNode = !place.isTriangle;
-    if (place.isTriangle) place.normal = normalOfTriangle(*place.shape, transform, start);
+    solidPoint.facesNode = !solidPoint.isTriangle;
+    if (solidPoint.isTriangle) solidPoint.normal = normalOfTriangle(*solidPoint.shape, transform, start);
     // A face of the cloth clings once.
-    if (up.dot(place.normal) > otherFace) contact.bond = 0;
+    if (up.dot(solidPoint.normal) > otherFace) contact.bond = 0;
     contact.isBonded = contact.isBonded && contact.bond > 0;
 }
 
 void SolidContacts::order(const Solids& solids) {
-    const auto placeOf = [&](std::size_t contact) {
-        return solids[places_[contact].solid].object().getWorldArrayIndex();
+    const auto solidIndexOf = [&](std::size_t contact) {
+        return solids[solidPoints_[contact].solid].object().getWorldArrayIndex();
     };
     order_.resize(contacts_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     const auto isBefore = [&](std::size_t a, std::size_t b) {
-        return placeOf(a) != placeOf(b) ? placeOf(a) < placeOf(b) : a < b;
+        return solidIndexOf(a) != solidIndexOf(b) ? solidIndexOf(a) < solidIndexOf(b) : a < b;
     };
     if (std::is_sorted(order_.begin(), order_.end(), isBefore)) return;
     std::sort(order_.begin(), order_.end(), isBefore);
     unorderedContacts_.swap(contacts_);
-    unorderedPlaces_.swap(places_);
+    unorderedSolidPoints_.swap(solidPoints_);
     contacts_.clear();
-    places_.clear();
+    solidPoints_.clear();
     for (const std::size_t at : order_) {
         contacts_.push_back(unorderedContacts_[at]);
-        places_.push_back(unorderedPlaces_[at]);
+        solidPoints_.push_back(unorderedSolidPoints_[at]);
     }
 }
 
@@ -214,11 +216,11 @@ void SolidContacts::removeLeftOut() {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         if (contacts_[i].node < 0) continue;
         contacts_[kept] = contacts_[i];
-        places_[kept] = places_[i];
+        solidPoints_[kept] = solidPoints_[i];
         ++kept;
     }
     contacts_.erase(contacts_.begin() + static_cast<std::ptrdiff_t>(kept), contacts_.end());
-    places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(kept), places_.end());
+    solidPoints_.erase(solidPoints_.begin() + static_cast<std::ptrdiff_t>(kept), solidPoints_.end());
 }
 
 void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids) {
@@ -227,38 +229,41 @@ void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const S
     const btScalar margin = body.getCollisionShape()->getMargin();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         Contact& contact = contacts_[i];
-        Place& place = places_[i];
-        const Solid& solid = solids[place.solid];
+        SolidPoint& solidPoint = solidPoints_[i];
+        const Solid& solid = solids[solidPoint.solid];
         const btVector3& start = body.m_nodes[contact.node].m_x;
-        if (solid.isMoving()) follow(place, body, start, solid);
-        place.arm = place.point - solid.end().getOrigin();
-        place.response = solid.response(place.arm, place.normal);
-        for (int axis = 0; axis < 3; ++axis) contact.normal[axis] = float(place.normal[axis]);
-        contact.gap = float(place.normal.dot(start - place.point) - margin);
+        if (solid.isMoving()) follow(solidPoint, body, start, solid);
+        solidPoint.arm = solidPoint.point - solid.end().getOrigin();
+        solidPoint.response = solid.response(solidPoint.arm, solidPoint.normal);
+        for (int axis = 0; axis < 3; ++axis) contact.normal[axis] = float(solidPoint.normal[axis]);
+        contact.gap = float(solidPoint.normal.dot(start - solidPoint.point) - margin);
 
         const auto n = static_cast<std::size_t>(contact.node);
-        const btScalar inside = -(btScalar(contact.gap) +
-                                  place.normal.dot(vectorOf(sheet.moved(n)) - solid.displacement(place.arm)));
+        const btScalar inside =
+            -(btScalar(contact.gap) +
+              solidPoint.normal.dot(vectorOf(sheet.moved(n)) - solid.displacement(solidPoint.arm)));
         if (inside <= 0) continue;
         contact.isBonded = contact.bond > 0;
         // Lifted without a velocity of its own, and not farther than the cloth's margin at once; what is left
         // waits for the next substep.
         const btScalar lifted = std::min(inside, margin);
-        sheet.place(n, place.normal * lifted);
+        sheet.place(n, solidPoint.normal * lifted);
         contact.gap += float(inside - lifted);
     }
 }
 
-void SolidContacts::follow(Place& place, const btSoftBody& body, const btVector3& start,
+void SolidContacts::follow(SolidPoint& solidPoint, const btSoftBody& body, const btVector3& start,
                            const Solid& solid) const {
     // As the node sees it from there, not turned with the solid: a ball that spins in one place stays the same.
-    const btTransform transform = solid.end() * place.shapeInSolid;
+    const btTransform transform = solid.end() * solidPoint.shapeInSolid;
     const btVector3 point = start + solid.path();
     const SurfacePoint surface =
-        place.isTriangle ? nearestOnTriangle(*place.shape, transform, point)
-                         : nearestSurface(*place.shape, transform, point, body.m_worldInfo->m_sparsesdf);
-    place.point = point - surface.normal * surface.distance;
-    place.normal = place.facesNode ? surface.normal : normalOfTriangle(*place.shape, transform, point);
+        solidPoint.isTriangle
+            ? nearestOnTriangle(*solidPoint.shape, transform, point)
+            : nearestSurface(*solidPoint.shape, transform, point, body.m_worldInfo->m_sparsesdf);
+    solidPoint.point = point - surface.normal * surface.distance;
+    solidPoint.normal =
+        solidPoint.facesNode ? surface.normal : normalOfTriangle(*solidPoint.shape, transform, point);
 }
 
 void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
@@ -267,8 +272,8 @@ void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
         const auto n = static_cast<std::size_t>(contact.node);
         const MovingNode& node = sheet.moved(n);
         const float* const normal = contact.normal;
-        Solid& solid = solids[places_[i].solid];
-        const btVector3 displacement = solid.displacement(places_[i].arm);
+        Solid& solid = solids[solidPoints_[i].solid];
+        const btVector3 displacement = solid.displacement(solidPoints_[i].arm);
         const float gap = contact.gap + normal[0] * (node.x - float(displacement.x())) +
                           normal[1] * (node.y - float(displacement.y())) +
                           normal[2] * (node.z - float(displacement.z()));
@@ -276,12 +281,12 @@ void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
         if (!((gap < 0 || contact.isBonded) && std::abs(gap) < std::numeric_limits<float>::max()))
             continue;  // nor for what is not finite
         contact.touched = true;
-        hold(sheet, contact, places_[i], solid, -gap);
+        hold(sheet, contact, solidPoints_[i], solid, -gap);
     }
 }
 
-void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const Place& place, Solid& solid,
-                         float depth) const {
+void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const SolidPoint& solidPoint,
+                         Solid& solid, float depth) const {
     const auto n = static_cast<std::size_t>(contact.node);
     MovingNode& node = sheet.moved(n);
     const btVector3 normal(btScalar(contact.normal[0]), btScalar(contact.normal[1]),
@@ -290,17 +295,17 @@ void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const Pl
     const auto h = btScalar(sheet.smallStep());
     const ContactLaw law = {btScalar(contact.friction),
                             contact.isBonded ? btScalar(contact.bond) * h * h : btScalar(0)};
-    const btScalar push = law.push(btScalar(depth) / (inverseMass + place.response));
-    const btVector3 slip = alongSurface(sheet.step(n) - solid.step(place.arm), normal);
+    const btScalar push = law.push(btScalar(depth) / (inverseMass + solidPoint.response));
+    const btVector3 slip = alongSurface(sheet.step(n) - solid.step(solidPoint.arm), normal);
     const btScalar length = slip.length();
     btVector3 total = normal * push;
     if (length > 0) {
         // Along its surface a solid that may turn gives way more readily than across it.
-        const btScalar giving = inverseMass + solid.response(place.arm, slip / length);
+        const btScalar giving = inverseMass + solid.response(solidPoint.arm, slip / length);
         total -= drag(slip, length, length / giving, law.maxFriction(push));
     }
     shift(node, total * inverseMass);
-    solid.push(place.arm, -total);
+    solid.push(solidPoint.arm, -total);
 }
 
 void SolidContacts::finish(btSoftBody& body, Grip& grip, const Solids& solids, double substep) const {
@@ -308,17 +313,18 @@ void SolidContacts::finish(btSoftBody& body, Grip& grip, const Solids& solids, d
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const Contact& contact = contacts_[i];
         if (!contact.touched) continue;
-        const Place& place = places_[i];
-        const Solid& solid = solids[place.solid];
+        const SolidPoint& solidPoint = solidPoints_[i];
+        const Solid& solid = solids[solidPoint.solid];
         if (contact.isBonded) grip.bondedTo[static_cast<std::size_t>(contact.node)] = &solid.object();
         btSoftBody::RContact found;
         btSoftBody::Node& node = body.m_nodes[contact.node];
         found.m_cti.m_colObj = &solid.object();
-        found.m_cti.m_normal = place.normal;
-        found.m_cti.m_offset = -place.normal.dot(place.point) - body.getCollisionShape()->getMargin();
+        found.m_cti.m_normal = solidPoint.normal;
+        found.m_cti.m_offset =
+            -solidPoint.normal.dot(solidPoint.point) - body.getCollisionShape()->getMargin();
         found.m_node = &node;
         found.m_c0.setIdentity();
-        found.m_c1 = place.arm;
+        found.m_c1 = solidPoint.arm;
         found.m_c2 = node.m_im * btScalar(substep);
         found.m_c3 = btScalar(contact.friction);
         found.m_c4 = 1;

@@ -48,7 +48,7 @@ class SolidContacts {
         bool touched;
     };
     /// What only few of the contacts need, of the same index.
-    struct Place {
+    struct SolidPoint {
         std::size_t solid;
         const btCollisionShape* shape;
         bool isTriangle;  // of a mesh
@@ -63,23 +63,24 @@ class SolidContacts {
 
     void findNode(btSoftBody& body, const SmallStepSheet& sheet, std::size_t n, const Touching& with);
     /// Where the contact of a node with a mesh goes; see meshContacts_.
-    std::size_t placeOnMesh(std::size_t n, const Place& place, const btVector3& start);
+    std::size_t indexOnMesh(std::size_t n, const SolidPoint& solidPoint, const btVector3& start);
     /// Leaves out contacts that would stand in the way of a node on flat ground of several parts; see
     /// flat_neighbours.h. Triangles that rise above the nearest plane count by their own.
     void choose(const btSoftBody& body, const Solids& solids);
     /// Puts contacts in the order of the solids in the world: Bullet tells of those in the order in which they have
     /// met, which restored sheets would not know.
     void order(const Solids& solids);
-    void choose(const btVector3& start, const Place& nearest, btScalar margin, std::size_t other,
+    void choose(const btVector3& start, const SolidPoint& nearest, btScalar margin, std::size_t other,
                 const Solids& solids);
     void removeLeftOut();
     /// Moves the plane to where the solid is as the substep ends.
-    void follow(Place& place, const btSoftBody& body, const btVector3& start, const Solid& solid) const;
-    void hold(SmallStepSheet& sheet, const Contact& contact, const Place& place, Solid& solid,
+    void follow(SolidPoint& solidPoint, const btSoftBody& body, const btVector3& start,
+                const Solid& solid) const;
+    void hold(SmallStepSheet& sheet, const Contact& contact, const SolidPoint& solidPoint, Solid& solid,
               float depth) const;
 
     std::vector<Contact> contacts_;
-    std::vector<Place> places_;
+    std::vector<SolidPoint> solidPoints_;
     btScalar reach_ = 0;  // of bonds, m
     // A node meets many triangles of a mesh, and stays on its side of the nearest of those that face the same
     // way, of six ways at most. The contacts with the mesh that was met last, of each node; -1 for none.
@@ -87,7 +88,7 @@ class SolidContacts {
     const btCollisionObject* mesh_ = nullptr;
     std::vector<std::size_t> order_;
     std::vector<Contact> unorderedContacts_;
-    std::vector<Place> unorderedPlaces_;
+    std::vector<SolidPoint> unorderedSolidPoints_;
     std::vector<int> lastOfNode_,
         before_;  // the last contact of each node, and that before each contact; -1 for none
 };

@@ -35,7 +35,7 @@ void BodyState::state(BulletPass& pass) {
 void BodyState::nodes(BulletPass& pass) {
     for (int n = 0; n < body_.m_nodes.size(); ++n) {
         btSoftBody::Node& node = body_.m_nodes[n];
-        for (btVector3* place : {&node.m_x, &node.m_q}) pass.vector(*place, farthestPlace);
+        for (btVector3* position : {&node.m_x, &node.m_q}) pass.vector(*position, farthestPosition);
         pass.vector(node.m_v, fastestNode);
         for (btVector3* vector : {&node.m_f, &node.m_n}) pass.vector(*vector);
         pass.number(node.m_im, 0, BulletPass::farthest);

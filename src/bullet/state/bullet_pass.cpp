@@ -17,32 +17,32 @@ void BulletPass::matrix(btMatrix3x3& value) {
 
 void BulletPass::nameAll() {
     const auto& all = world_.getCollisionObjectArray();
-    for (int i = 0; i < all.size(); ++i) places_.emplace(all[i], i);
+    for (int i = 0; i < all.size(); ++i) indices_.emplace(all[i], i);
 }
 
 const btCollisionObject* BulletPass::object(const btCollisionObject* now, Which which) {
     if (!saves()) return readObject(which);
-    const auto found = places_.find(now);
-    std::int32_t place = found == places_.end() ? -1 : found->second;
-    number(place);
+    const auto found = indices_.find(now);
+    std::int32_t index = found == indices_.end() ? -1 : found->second;
+    number(index);
     return now;
 }
 
 const btCollisionObject* BulletPass::readObject(Which which) {
-    const auto place = reader().read<std::int32_t>();
+    const auto index = reader().read<std::int32_t>();
     const auto& all = world_.getCollisionObjectArray();
-    if (place == -1) return nullptr;
-    if (place < 0 || place >= all.size())
-        refuse<std::runtime_error>("the snapshot's sheet touches object ", place,
+    if (index == -1) return nullptr;
+    if (index < 0 || index >= all.size())
+        refuse<std::runtime_error>("the snapshot's sheet touches object ", index,
                                    " of its world, and this world has ", all.size(),
                                    "; add the same objects in the same order");
-    const bool isSoft = all[place]->getInternalType() == btCollisionObject::CO_SOFT_BODY;
+    const bool isSoft = all[index]->getInternalType() == btCollisionObject::CO_SOFT_BODY;
     if (isSoft != (which == Which::soft))
-        refuse<std::runtime_error>("object ", place, " of this world is ",
+        refuse<std::runtime_error>("object ", index, " of this world is ",
                                    isSoft ? "a soft body, where the snapshot's is none"
                                           : "no soft body, where the snapshot's is one",
                                    "; add the same objects in the same order");
-    return all[place];
+    return all[index];
 }
 
 const btSoftBody* BulletPass::ownerOf(const btSoftBody::Face* face) const {

@@ -50,7 +50,7 @@ class BulletPass : public StatePass {
     /// @return the one that was saved, or is being saved
     const btCollisionObject* object(const btCollisionObject* now, Which which);
     /// Whether an object is in the world, by its address alone. @pre a pass that saves
-    bool knows(const btCollisionObject* object) const { return places_.count(object) > 0; }
+    bool knows(const btCollisionObject* object) const { return indices_.count(object) > 0; }
     /// The soft body that a face is of; none for one that is of no body in the world.
     const btSoftBody* ownerOf(const btSoftBody::Face* face) const;
 
@@ -59,7 +59,7 @@ class BulletPass : public StatePass {
     const btCollisionObject* readObject(Which which);
 
     const btCollisionWorld& world_;
-    std::unordered_map<const btCollisionObject*, int> places_;
+    std::unordered_map<const btCollisionObject*, int> indices_;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -73,7 +73,7 @@ void StockContacts::state(BulletPass& pass) {
         Stuck& stuck = pass.saves() ? stuck_[n] : read;
         const btCollisionObject* const object = pass.object(stuck.object, BulletPass::Which::solid);
         if (!object || (pass.saves() && !pass.knows(object))) continue;
-        pass.vector(stuck.place);
+        pass.vector(stuck.position);
         read.object = object;
         if (pass.restores()) stuck_[n] = read;
     }

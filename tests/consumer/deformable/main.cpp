@@ -56,13 +56,13 @@ class World {
 /// A rigid body of one shape, in a world as long as it lives.
 class Solid {
   public:
-    Solid(World& world, std::unique_ptr<btCollisionShape> shape, btScalar mass, const btVector3& place)
+    Solid(World& world, std::unique_ptr<btCollisionShape> shape, btScalar mass, const btVector3& position)
         : world_(world), shape_(std::move(shape)) {
         btVector3 inertia(0, 0, 0);
         if (mass > 0) shape_->calculateLocalInertia(mass, inertia);
         btRigidBody::btRigidBodyConstructionInfo settings(mass, nullptr, shape_.get(), inertia);
         settings.m_startWorldTransform.setIdentity();
-        settings.m_startWorldTransform.setOrigin(place);
+        settings.m_startWorldTransform.setOrigin(position);
         body_ = std::make_unique<btRigidBody>(settings);
         world_->addRigidBody(body_.get());
     }

@@ -20,30 +20,30 @@ namespace {
 /// A source of the application's own: what is near it condenses steam.
 class Steamer final : public drench::Source {
   public:
-    explicit Steamer(const Eigen::Vector3d& place) : place_(place) {}
+    explicit Steamer(const Eigen::Vector3d& position) : position_(position) {}
     std::string name() const override { return "steamer"; }
     void supply(const drench::SheetPose& sheet, double dt, drench::Supply& supply) override {
         constexpr double reach = 0.5;  // m
         constexpr double rate = 0.1;   // kg per s and m2 of cloth
         for (std::size_t node = 0; node < sheet.mesh.size(); ++node) {
             const double mass = rate * sheet.mesh.areas[node] * dt;
-            if (mass > 0 && (sheet.positions[node] - place_).norm() < reach) supply.addPores(node, mass);
+            if (mass > 0 && (sheet.positions[node] - position_).norm() < reach) supply.addPores(node, mass);
         }
     }
 
   private:
-    Eigen::Vector3d place_;
+    Eigen::Vector3d position_;
 };
 
 /// One garment in one world: comes with its constructor and goes with its destructor.
 class Garment {
   public:
     Garment(btSoftRigidDynamicsWorld& world, const TriangleMesh& mesh, const drench::Fabric& fabric,
-            const btVector3& place)
+            const btVector3& position)
         : world_(world),
           body_(btSoftBodyHelpers::CreateFromTriMesh(world.getWorldInfo(), mesh.coordinates.data(),
                                                      mesh.corners.data(), mesh.triangles(), inMeshOrder)) {
-        body_->translate(place);
+        body_->translate(position);
         body_->getCollisionShape()->setMargin(btScalar(0.01));
         body_->m_cfg.kDP = 1;
         pinWaist();

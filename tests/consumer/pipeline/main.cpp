@@ -30,7 +30,7 @@ void run(const std::filesystem::path& obj, const std::filesystem::path& folder) 
     sheet->updateBounds();
     sheet->getAabb(min, max);
     const btScalar waist = max.y() - (max.y() - min.y()) / 10;
-    drench::pinWhere(*sheet, [&](const btVector3& place) { return place.y() > waist; });
+    drench::pinWhere(*sheet, [&](const btVector3& position) { return position.y() > waist; });
     world.addSoftBody(sheet.get());
     {
         drench::SheetSettings settings;

@@ -93,10 +93,11 @@ class Yard {
 /// A square metre of linen that hangs from a line by its two upper corners.
 class Laundry {
   public:
-    Laundry(btSoftRigidDynamicsWorld& world, btScalar place)
+    Laundry(btSoftRigidDynamicsWorld& world, btScalar position)
         : world_(world),
           sheet_(drench::makeSheet(world.getWorldInfo(), drench::fabrics::linen(),
-                                   drench::flatCorners({place, 2, 0}, {1, 0, 0}, {0, -1, 0}), nodes, nodes)) {
+                                   drench::flatCorners({position, 2, 0}, {1, 0, 0}, {0, -1, 0}), nodes,
+                                   nodes)) {
         sheet_->m_nodes[0].m_im = 0;
         sheet_->m_nodes[nodes - 1].m_im = 0;
         sheet_->m_cfg.kDP = btScalar(0.002);
