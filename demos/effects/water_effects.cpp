@@ -250,8 +250,8 @@ void WaterEffects::emit(const Nozzle& nozzle, double frameTime) {
     for (int i = 0; i < count && spray_.size() < limits_.drops - jetThreads(limits_); ++i) {
         const Eigen::Vector3d aside = axis.cross(randomDirection());
         const double angle = nozzle.halfAngle * std::sqrt(random());
-        const Eigen::Vector3d way = std::cos(angle) * axis + std::sin(angle) * aside.normalized();
-        Bead drop{nozzle.position, nozzle.speed * random(0.75, 1.1) * way, random(0.3e-3, 1.1e-3),
+        const Eigen::Vector3d direction = std::cos(angle) * axis + std::sin(angle) * aside.normalized();
+        Bead drop{nozzle.position, nozzle.speed * random(0.75, 1.1) * direction, random(0.3e-3, 1.1e-3),
                   nozzle.rate * frameTime / count, sprayLife};
         if (!sprayEnds(drop, random(0, frameTime))) spray_.push_back(drop);
     }
@@ -270,9 +270,9 @@ void WaterEffects::showJet(const Nozzle& nozzle) {
     for (int i = 0; i < threads && jets_.size() < jetThreads(limits_); ++i) {
         const double angle = spread * nozzle.halfAngle * random() * random();
         const Eigen::Vector3d aside = axis.cross(randomDirection()).normalized();
-        const Eigen::Vector3d way = std::cos(angle) * axis + std::sin(angle) * aside;
+        const Eigen::Vector3d direction = std::cos(angle) * axis + std::sin(angle) * aside;
         const double length = nozzle.speed * breakUp * random(0.3, 1);
-        const Eigen::Vector3d end = nozzle.position + length * way;
+        const Eigen::Vector3d end = nozzle.position + length * direction;
         if (hitAnything(nozzle.position, end)) continue;
         jets_.push_back(
             {nozzle.position.cast<float>(), end.cast<float>(), float(random(1.5e-3, 4e-3)), 0.6f});

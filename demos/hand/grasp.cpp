@@ -67,10 +67,10 @@ Grasp::Pull Grasp::pull() const {
         const btSoftBody::Link& link = body.m_links[l];
         const bool first = isHeld(link.m_n[0]);
         if (link.m_bbending || first == isHeld(link.m_n[1])) continue;
-        const btVector3 way = (link.m_n[1]->m_x - link.m_n[0]->m_x) * btScalar(first ? 1 : -1);
-        const double strain = double(way.length() / link.m_rl) - 1;
+        const btVector3 offset = (link.m_n[1]->m_x - link.m_n[0]->m_x) * btScalar(first ? 1 : -1);
+        const double strain = double(offset.length() / link.m_rl) - 1;
         pull.strain = std::max(pull.strain, strain);
-        if (strain > 0) pull.towards += way.normalized() * btScalar(strain);
+        if (strain > 0) pull.towards += offset.normalized() * btScalar(strain);
         pull.length = double(link.m_rl);
         pull.following += link.m_n[first ? 1 : 0]->m_v;
         ++links;
@@ -81,10 +81,10 @@ Grasp::Pull Grasp::pull() const {
 }
 
 btVector3 Grasp::keptFromSolids(const btVector3& velocity, double frameTime) const {
-    const btVector3 way = velocity * btScalar(frameTime);
-    const double length = double(way.length());
+    const btVector3 offset = velocity * btScalar(frameTime);
+    const double length = double(offset.length());
     if (!(length > 1e-6)) return velocity;
-    const btVector3 beyond = way * btScalar((length + clearance) / length);
+    const btVector3 beyond = offset * btScalar((length + clearance) / length);
     const auto solid = firstSolid(*sheet_.world, centre_, centre_ + beyond);
     if (!solid) return velocity;
     const btScalar into = velocity.dot(solid->normal);
@@ -92,8 +92,8 @@ btVector3 Grasp::keptFromSolids(const btVector3& velocity, double frameTime) con
 }
 
 void Grasp::follow(const Pointer& pointer, double frameTime) {
-    const btVector3 way = target(pointer) - centre_;
-    btVector3 velocity = limited(way / btScalar(followingFrames * frameTime), fastest);
+    const btVector3 offset = target(pointer) - centre_;
+    btVector3 velocity = limited(offset / btScalar(followingFrames * frameTime), fastest);
     const Pull by = pull();
     const double slack = (maxStrain - by.strain) * by.length / frameTime;
     // No faster than the cloth around follows and can still be stretched.

@@ -35,9 +35,11 @@ std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const vie
         }
     if (!first) return std::nullopt;
     constexpr double onSolid = 0.02;  // m, as cloth lies on what is behind it
-    const btVector3 from = toBullet(ray.origin.cast<double>()), way = toBullet(ray.direction.cast<double>());
+    const btVector3 from = toBullet(ray.origin.cast<double>()),
+                    direction = toBullet(ray.direction.cast<double>());
     const double max = first->distance - onSolid;
-    if (max > 0 && firstSolid(*first->sheet.world, from, from + way * btScalar(max))) return std::nullopt;
+    if (max > 0 && firstSolid(*first->sheet.world, from, from + direction * btScalar(max)))
+        return std::nullopt;
     return first;
 }
 

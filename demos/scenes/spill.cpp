@@ -236,10 +236,10 @@ class Spill final : public StagedScene {
             const float angle = 2.4f * float(i) + 1.7f * std::floor(turns),
                         upwards = 0.35f + 0.035f * float(i % 7);
             const float flight = 2 * upwards / gravity * share, out = 0.004f + 0.45f * flight;
-            const Eigen::Vector3f way(std::cos(angle), 0, std::sin(angle));
+            const Eigen::Vector3f direction(std::cos(angle), 0, std::sin(angle));
             const float height = 0.003f - fall + upwards * flight - gravity * flight * flight / 2;
-            picture.drops.push_back({spout + out * way + Eigen::Vector3f(0, height, 0),
-                                     0.45f * way + Eigen::Vector3f(0, upwards - gravity * flight, 0),
+            picture.drops.push_back({spout + out * direction + Eigen::Vector3f(0, height, 0),
+                                     0.45f * direction + Eigen::Vector3f(0, upwards - gravity * flight, 0),
                                      0.0012f + 0.0002f * float(i % 4)});
         }
     }

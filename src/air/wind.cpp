@@ -71,16 +71,16 @@ Gusts::Gusts(const Eigen::Vector3d& mean, double intensity, double lengthScale, 
     for (std::size_t wave = 0; wave < waveCount; ++wave) {
         const double step = (double(wave) + uniform()) / double(waveCount);
         const double kappa = smallestWaveNumber * std::pow(largestWaveNumber / smallestWaveNumber, step);
-        const Eigen::Vector3d way = spreadDirection(wave, firstHeight, firstTurn);
+        const Eigen::Vector3d direction = spreadDirection(wave, firstHeight, firstTurn);
         phases_[wave] = uniform();
         // Bands of equal width in log k hold energy as k E(k).
         const double amplitude = std::sqrt(kappa * energyAt(kappa));
         energy += amplitude * amplitude;
-        const Eigen::Vector3d across = amplitude * way.unitOrthogonal();
-        const Eigen::Vector3d onwards = (uniform() < 0.5 ? 1.0 : -1.0) * way.cross(across);
+        const Eigen::Vector3d across = amplitude * direction.unitOrthogonal();
+        const Eigen::Vector3d onwards = (uniform() < 0.5 ? 1.0 : -1.0) * direction.cross(across);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto component = static_cast<Eigen::Index>(axis);
-            turns_[axis][wave] = kappa / (spectralLength * lengthScale) * way[component] / (2 * pi);
+            turns_[axis][wave] = kappa / (spectralLength * lengthScale) * direction[component] / (2 * pi);
             withCosine_[axis][wave] = across[component];
             withSine_[axis][wave] = onwards[component];
         }

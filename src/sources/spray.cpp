@@ -27,7 +27,7 @@ void checkSettings(const Spray& spray) {
 }
 
 // Unit vector from the nozzle to a place; at the nozzle itself, along the cone.
-Eigen::Vector3d wayTo(const Spray& spray, const Eigen::Vector3d& position) {
+Eigen::Vector3d directionTo(const Spray& spray, const Eigen::Vector3d& position) {
     const Eigen::Vector3d offset = position - spray.origin;
     const double distance = offset.norm();
     if (distance > 0) return offset / distance;
@@ -38,16 +38,16 @@ Eigen::Vector3d wayTo(const Spray& spray, const Eigen::Vector3d& position) {
 double solidAngle(const Spray& spray, const SheetPose& sheet, std::size_t node) {
     if (!(sheet.mesh.areas[node] > 0)) return 0;
     const Eigen::Vector3d& position = sheet.positions[node];
-    const Eigen::Vector3d way = wayTo(spray, position);
-    if (!(way.dot(spray.direction.normalized()) >= std::cos(spray.halfAngle))) return 0;
+    const Eigen::Vector3d direction = directionTo(spray, position);
+    if (!(direction.dot(spray.direction.normalized()) >= std::cos(spray.halfAngle))) return 0;
     const double distance = std::max((position - spray.origin).norm(), nearest);
-    return std::abs(sheet.areaVector(node).dot(way)) / (distance * distance);
+    return std::abs(sheet.areaVector(node).dot(direction)) / (distance * distance);
 }
 
-bool blockedOnTheWay(const Spray& spray, const SheetPose& sheet, std::size_t node) {
+bool isBlocked(const Spray& spray, const SheetPose& sheet, std::size_t node) {
     const Eigen::Vector3d& position = sheet.positions[node];
     if ((position - spray.origin).norm() <= rayEnd) return false;
-    return sheet.shelter.blocked(spray.origin, position - rayEnd * wayTo(spray, position));
+    return sheet.shelter.blocked(spray.origin, position - rayEnd * directionTo(spray, position));
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void Spray::supply(const SheetPose& sheet, double dt, Supply& supply) {
     for (std::size_t node = 0; node < shares_.size(); ++node) {
         const double mass = rate * dt * shares_[node];
         if (!(mass > 0) || sheltered_[node]) continue;
-        supply.addFilm(node, mass, speed * wayTo(*this, sheet.positions[node]));
+        supply.addFilm(node, mass, speed * directionTo(*this, sheet.positions[node]));
     }
 }
 
@@ -101,7 +101,7 @@ void Spray::askForShelter(const SheetPose& sheet) {
         const std::size_t node = nextRay_;
         nextRay_ = (nextRay_ + 1) % count;
         if (!(shares_[node] > 0)) continue;
-        sheltered_[node] = blockedOnTheWay(*this, sheet, node);
+        sheltered_[node] = isBlocked(*this, sheet, node);
         ++asked;
     }
 }

@@ -128,13 +128,13 @@ TEST(ContactLaw, ABondFormsOnTouchAndBreaksWhereItsReachEnds) {
 }
 
 TEST(ContactLaw, ToPullANodeOffTakesForceTimesReach) {
-    constexpr double reach = 0.01, force = 0.2, way = 1e-5;
+    constexpr double reach = 0.01, force = 0.2, distance = 1e-5;
     const ContactLaw law = {0, btScalar(force)};
     double work = 0;
     bool isBonded = true;
-    for (double gap = way / 2; isBonded; gap += way) {
+    for (double gap = distance / 2; isBonded; gap += distance) {
         isBonded = bondHolds(force, isBonded, gap, reach);
-        if (isBonded) work -= double(law.push(-1e6)) * way;
+        if (isBonded) work -= double(law.push(-1e6)) * distance;
     }
     EXPECT_NEAR(work, force * reach, 1e-3 * force * reach);
 }

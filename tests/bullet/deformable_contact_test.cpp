@@ -38,7 +38,7 @@ TEST_P(DeformableContact, FrictionIsCoulombs) {
         const int substeps = substepsFor(rig.cover(0), GetParam());
         const btVector3 from = test::centre(rig.sheet());
         rig.run(1, substeps);
-        return std::pair(rig.speedDown(), rig.wayDown(from));
+        return std::pair(rig.speedDown(), rig.distanceDown(from));
     };
     const double slides = gravity * (std::sin(test::slope) - 0.2 * std::cos(test::slope));
     EXPECT_NEAR(after1Second(0.2).first / slides, 1, 0.03);

@@ -100,10 +100,10 @@ TEST(WetSpringForce, DifferentialIsPositiveAndThatOfTheForce) {
             step[n] = btVector3(btScalar(std::sin(1.0 + n * (direction + 1))), btScalar(std::cos(2.0 * n)),
                                 btScalar(std::sin(0.7 * n + direction)));
         constexpr btScalar length = btScalar(2e-4);
-        const auto forcesAt = [&](btScalar way) {
-            for (int n = 0; n < step.size(); ++n) crumpled.sheet->m_nodes[n].m_q += step[n] * way;
+        const auto forcesAt = [&](btScalar factor) {
+            for (int n = 0; n < step.size(); ++n) crumpled.sheet->m_nodes[n].m_q += step[n] * factor;
             const Vectors found = crumpled.forces();
-            for (int n = 0; n < step.size(); ++n) crumpled.sheet->m_nodes[n].m_q -= step[n] * way;
+            for (int n = 0; n < step.size(); ++n) crumpled.sheet->m_nodes[n].m_q -= step[n] * factor;
             return found;
         };
         const Vectors ahead = forcesAt(length), behind = forcesAt(-length);

@@ -32,7 +32,7 @@ TEST(StockContact, FrictionIsCoulombsWithAnySubstepsAndSweeps) {
                 rig.cover(0);
                 const btVector3 from = test::centre(rig.sheet());
                 rig.run(2, each);
-                return std::pair(rig.speedDown(), rig.wayDown(from));
+                return std::pair(rig.speedDown(), rig.distanceDown(from));
             };
             const double slides = 2 * gravity * (std::sin(test::slope) - 0.2 * std::cos(test::slope));
             EXPECT_NEAR(after2Seconds(0.2).first / slides, 1, 0.03) << sweeps << " sweeps, " << each;

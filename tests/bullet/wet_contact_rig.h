@@ -64,7 +64,7 @@ class WetContactRig {
         return box;
     }
     double speedDown() const { return double(momentum(*sheet_).dot(down_)) / mass(*sheet_); }
-    double wayDown(const btVector3& from) const { return double((centre(*sheet_) - from).dot(down_)); }
+    double distanceDown(const btVector3& from) const { return double((centre(*sheet_) - from).dot(down_)); }
 
     /// The sheet under a box whose underside is at y = 0, on its way up.
     btRigidBody& pressAgainstCeiling() {

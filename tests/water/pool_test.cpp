@@ -112,9 +112,10 @@ TEST(Pool, WetsOnlyInsideItsRectangleWhicheverWayIsUp) {
     };
     for (const auto& [first, second, up] : worlds) {
         Cloth cloth(1, 10);
-        const Vector3d across = first, further = second, way = up;
-        cloth.up = way;
-        cloth.move([&](const Vector3d& p) -> Vector3d { return p.x() * across + p.z() * further + 2 * way; });
+        const Vector3d across = first, further = second, upward = up;
+        cloth.up = upward;
+        cloth.move(
+            [&](const Vector3d& p) -> Vector3d { return p.x() * across + p.z() * further + 2 * upward; });
         Pool pool(2.1);
         pool.from = {0.15, 0.45};
         pool.to = {0.35, 0.95};

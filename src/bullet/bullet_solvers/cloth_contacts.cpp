@@ -212,9 +212,9 @@ void ClothContacts::solve(btSoftBody::Node& node, const Near& near, bool isNeare
     const btScalar closing = law.push(depth);
     const btVector3 slip = alongSurface(motion, near.normal);
     const btScalar length = slip.length();
-    btVector3 way = near.normal * closing;
-    if (length > 0) way -= drag(slip, length, length, law.maxFriction(closing));
-    push(corners, way / response);
+    btVector3 displacement = near.normal * closing;
+    if (length > 0) displacement -= drag(slip, length, length, law.maxFriction(closing));
+    push(corners, displacement / response);
 }
 
 /// For those who look through Bullet's lists; Bullet does nothing about it.
@@ -244,18 +244,18 @@ double ClothContacts::bondOf(std::size_t node, const Near& near) const {
 }
 
 /// Takes overlapping sheets apart.
-void ClothContacts::lift(const Corner (&corners)[4], const btVector3& way) {
+void ClothContacts::lift(const Corner (&corners)[4], const btVector3& displacement) {
     for (const Corner& corner : corners) {
-        const btVector3 by = way * (corner.weight * corner.inverseMass);
+        const btVector3 by = displacement * (corner.weight * corner.inverseMass);
         corner.node->m_x += by;
         corner.node->m_q += by;
     }
 }
 
 /// Moves nodes as a force would.
-void ClothContacts::push(const Corner (&corners)[4], const btVector3& way) const {
+void ClothContacts::push(const Corner (&corners)[4], const btVector3& displacement) const {
     for (const Corner& corner : corners) {
-        const btVector3 by = way * (corner.weight * corner.inverseMass);
+        const btVector3 by = displacement * (corner.weight * corner.inverseMass);
         btSoftBody::Node& node = *corner.node;
         node.m_v += by / substep_;
         // From which an implicit step starts, and of which Bullet's own solver makes velocities.

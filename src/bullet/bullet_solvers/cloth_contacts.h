@@ -61,8 +61,8 @@ class ClothContacts {
     void solve(btSoftBody::Node& node, const Near& near, bool isNearest);
     void list(btSoftBody::Node& node, const Near& near) const;
     double bondOf(std::size_t node, const Near& near) const;
-    static void lift(const Corner (&corners)[4], const btVector3& way);
-    void push(const Corner (&corners)[4], const btVector3& way) const;
+    static void lift(const Corner (&corners)[4], const btVector3& displacement);
+    void push(const Corner (&corners)[4], const btVector3& displacement) const;
 
     btVector3 startOf(const btSoftBody::Node& node, bool isAwake) const;
     btVector3 motionOf(const btSoftBody::Node& node, bool isAwake) const;

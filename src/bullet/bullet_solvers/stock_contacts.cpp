@@ -136,8 +136,8 @@ void StockContacts::hold(btSoftBody& body, const Held& held, btScalar reach) {
     const btVector3 slip = alongSurface(node.m_x - node.m_q - solid.step(arm), normal);
     // A solid that may turn gives way to what drags it along its surface more than to what presses on it.
     const btScalar length = slip.length(),
-                   givesWay = length > 0 ? node.m_im + solid.response(arm, slip / length) : response,
-                   stopping = length / givesWay, maxFriction = law.maxFriction(push);
+                   compliance = length > 0 ? node.m_im + solid.response(arm, slip / length) : response,
+                   stopping = length / compliance, maxFriction = law.maxFriction(push);
     const bool sticks = stopping <= maxFriction;
     btVector3 total(0, 0, 0);
     if (length > 0) total = -drag(slip, length, stopping, maxFriction);

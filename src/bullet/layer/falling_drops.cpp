@@ -31,15 +31,16 @@ struct Hit {
 
 /// Moeller & Trumbore (1997), from both sides; a side that two faces share belongs to both.
 std::optional<Hit> meet(const btSoftBody& body, int f, const Eigen::Vector3d& from,
-                        const Eigen::Vector3d& way) {
+                        const Eigen::Vector3d& displacement) {
     const btSoftBody::Face& face = body.m_faces[f];
     const Eigen::Vector3d origin = toEigen(face.m_n[0]->m_x);
     const Eigen::Vector3d one = toEigen(face.m_n[1]->m_x) - origin, two = toEigen(face.m_n[2]->m_x) - origin;
-    const Eigen::Vector3d across = way.cross(two);
+    const Eigen::Vector3d across = displacement.cross(two);
     const double volume = one.dot(across);
-    if (!(std::abs(volume) > 1e-15 * way.norm() * one.norm() * two.norm())) return std::nullopt;
+    if (!(std::abs(volume) > 1e-15 * displacement.norm() * one.norm() * two.norm())) return std::nullopt;
     const Eigen::Vector3d offset = from - origin, turned = offset.cross(one);
-    const double u = offset.dot(across) / volume, v = way.dot(turned) / volume, t = two.dot(turned) / volume;
+    const double u = offset.dot(across) / volume, v = displacement.dot(turned) / volume,
+                 t = two.dot(turned) / volume;
     constexpr double rounding = 1e-9;
     if (u < -rounding || v < -rounding || u + v > 1 + rounding || t < 0 || t > 1) return std::nullopt;
     Eigen::Vector3d weights = Eigen::Vector3d(1 - u - v, u, v).cwiseMax(0.0);

@@ -126,10 +126,10 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
 std::size_t SolidContacts::indexOnMesh(std::size_t n, const SolidPoint& solidPoint, const btVector3& start) {
     const std::size_t nowhere = contacts_.size() + 1;
     const btTransform& solid = mesh_->getWorldTransform();
-    const auto wayOf = [&](const SolidPoint& of) {
+    const auto directionOf = [&](const SolidPoint& of) {
         return normalOfTriangle(*of.shape, solid * of.shapeInSolid, start);
     };
-    const btVector3 way = wayOf(solidPoint);
+    const btVector3 direction = directionOf(solidPoint);
     std::size_t farthest = nowhere;
     for (int& known : meshContacts_[n]) {
         if (known < 0) {
@@ -137,7 +137,7 @@ std::size_t SolidContacts::indexOnMesh(std::size_t n, const SolidPoint& solidPoi
             return contacts_.size();
         }
         const auto at = static_cast<std::size_t>(known);
-        if (faceAlike(wayOf(solidPoints_[at]), way))
+        if (faceAlike(directionOf(solidPoints_[at]), direction))
             return solidPoints_[at].distance > solidPoint.distance ? at : nowhere;
         if (farthest == nowhere || solidPoints_[at].distance > solidPoints_[farthest].distance) farthest = at;
     }

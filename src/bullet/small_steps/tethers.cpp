@@ -13,19 +13,20 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-struct Way {
+struct Connection {
     int to;
     double length;
 };
 
 /// From each node, through the links.
-CompressedRows<Way> waysThrough(const SheetMechanics& mechanics) {
+CompressedRows<Connection> connectionsAlongLinks(const SheetMechanics& mechanics) {
     return {mechanics.mesh.size(), [&](const auto& add) {
                 for (std::size_t i = 0; i < mechanics.shape.links.size(); ++i) {
                     if (mechanics.dryStiffness[i].kind == LinkKind::bending) continue;
                     const LinkNodes& link = mechanics.shape.links[i];
                     for (std::size_t end = 0; end < 2; ++end)
-                        add(static_cast<std::size_t>(link.nodes[end]), Way{link.nodes[1 - end], link.length});
+                        add(static_cast<std::size_t>(link.nodes[end]),
+                            Connection{link.nodes[1 - end], link.length});
                 }
             }};
 }
@@ -51,9 +52,9 @@ void Tethers::begin(const btSoftBody& body, const SheetMechanics& mechanics, dou
 
 /// Dijkstra's shortest ways from all pins at once.
 void Tethers::lay(const SheetMechanics& mechanics) {
-    const auto ways = waysThrough(mechanics);
-    distance_.assign(ways.size(), std::numeric_limits<double>::infinity());
-    pinOf_.assign(ways.size(), -1);
+    const auto connections = connectionsAlongLinks(mechanics);
+    distance_.assign(connections.size(), std::numeric_limits<double>::infinity());
+    pinOf_.assign(connections.size(), -1);
     using Reached = std::pair<double, int>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
     for (const int pin : pins_) {
@@ -66,12 +67,12 @@ void Tethers::lay(const SheetMechanics& mechanics) {
         next.pop();
         const auto from = static_cast<std::size_t>(node);
         if (distance > distance_[from]) continue;
-        for (const Way& way : ways[from]) {
-            const auto to = static_cast<std::size_t>(way.to);
-            if (distance + way.length >= distance_[to]) continue;
-            distance_[to] = distance + way.length;
+        for (const Connection& connection : connections[from]) {
+            const auto to = static_cast<std::size_t>(connection.to);
+            if (distance + connection.length >= distance_[to]) continue;
+            distance_[to] = distance + connection.length;
             pinOf_[to] = pinOf_[from];
-            next.emplace(distance_[to], way.to);
+            next.emplace(distance_[to], connection.to);
         }
     }
 }
