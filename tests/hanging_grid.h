@@ -54,10 +54,10 @@ StaticProblem hangingGrid(const Fabric& fabric, double side, int nodes, double m
     const double g = fabric.shear;
     for (int j = 0; j < nodes; ++j)
         for (int i = 0; i < nodes; ++i) {
-            const double rowShare = j == 0 || j == nodes - 1 ? 0.5 : 1,
-                         columnShare = i == 0 || i == nodes - 1 ? 0.5 : 1;
-            if (i + 1 < nodes) add(node(i, j), node(i + 1, j), a, (fabric.stretchWarp - g) * rowShare);
-            if (j + 1 < nodes) add(node(i, j), node(i, j + 1), a, (fabric.stretchWeft - g) * columnShare);
+            const double rowFraction = j == 0 || j == nodes - 1 ? 0.5 : 1,
+                         columnFraction = i == 0 || i == nodes - 1 ? 0.5 : 1;
+            if (i + 1 < nodes) add(node(i, j), node(i + 1, j), a, (fabric.stretchWarp - g) * rowFraction);
+            if (j + 1 < nodes) add(node(i, j), node(i, j + 1), a, (fabric.stretchWeft - g) * columnFraction);
             if (i + 1 == nodes || j + 1 == nodes) continue;
             add(node(i, j), node(i + 1, j + 1), a * std::sqrt(2.0), g);
             add(node(i + 1, j), node(i, j + 1), a * std::sqrt(2.0), g);

@@ -38,11 +38,11 @@ void exchangeWeather(Fields& fields, Weather& weather) {
     fields.number("humidity", weather.humidity, {0, 0.999});
     fields.number("windSpeed", weather.windSpeed, {0, 100});
     fields.vector("windDirection", weather.windDirection, directions, minDirection);
-    fields.number("gusts", weather.gusts, shares);
+    fields.number("gusts", weather.gusts, unitRange);
     fields.number("gustLength", weather.gustLength, {0.01, 1000});
     fields.number("shelterLength", weather.shelterLength, {0, 1000});
     fields.number("rain", weather.rain, {0, 1000});
-    fields.number("vapourExchange", weather.vapourExchange, shares);
+    fields.number("vapourExchange", weather.vapourExchange, unitRange);
 }
 
 template <typename Fields>
@@ -149,9 +149,9 @@ void exchangeSolid(Fields& fields, SolidDescription& solid) {
     optionalChoice(fields, "surface", solid.surface, surfaceNames);
     optionalChoice(fields, "material", solid.material, materialNames);
     if constexpr (Fields::reads) {
-        if (fields.any("colour")) fields.vector("colour", solid.colour.emplace(), shares);
+        if (fields.any("colour")) fields.vector("colour", solid.colour.emplace(), unitRange);
     } else if (solid.colour) {
-        fields.vector("colour", *solid.colour, shares);
+        fields.vector("colour", *solid.colour, unitRange);
     }
 }
 

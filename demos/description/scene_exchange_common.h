@@ -20,7 +20,7 @@ using files::shown;
 
 inline constexpr Range positionRange{-1e4, 1e4};  // m
 inline constexpr Range directions{-1e6, 1e6};     // of vectors whose length does not count
-inline constexpr Range shares{0, 1};
+inline constexpr Range unitRange{0, 1};
 inline constexpr Range speeds{-1e3, 1e3};  // m/s
 inline constexpr double minDirection = 1e-6;
 inline constexpr double maxNodes = 2.5e5;  // of all sheets together

@@ -60,9 +60,9 @@ std::optional<double> SheetCells::firstMet(const Eigen::Vector3d& from, const Ei
     if (box_.isEmpty() || !box_.intersects(path)) return std::nullopt;
     const int samples = 1 + int(std::ceil((to - from).norm() / (0.5 * size_)));
     for (int i = 0; i <= samples; ++i) {
-        const double share = double(i) / samples;
-        const Eigen::Vector3d position = from + share * (to - from);
-        if (box_.contains(position) && taken_[indexOf(cellAt(position))] != 0) return share;
+        const double fraction = double(i) / samples;
+        const Eigen::Vector3d position = from + fraction * (to - from);
+        if (box_.contains(position) && taken_[indexOf(cellAt(position))] != 0) return fraction;
     }
     return std::nullopt;
 }

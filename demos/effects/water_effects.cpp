@@ -159,8 +159,8 @@ std::optional<WaterEffects::Hit> WaterEffects::hitAnything(const Eigen::Vector3d
     std::optional<Hit> nearest = hitBody(from, to);
     for (const SheetCells& sheet : sheets_) {
         const Eigen::Vector3d end = nearest ? nearest->position : to;
-        if (const auto share = sheet.firstMet(from, end))
-            nearest = Hit{from + *share * (end - from), nullptr};
+        if (const auto fraction = sheet.firstMet(from, end))
+            nearest = Hit{from + *fraction * (end - from), nullptr};
     }
     if (!nearest && poolRound(to) != nullptr) nearest = Hit{to, nullptr};
     return nearest;
@@ -226,8 +226,8 @@ void WaterEffects::fallRain(double frameTime) {
         drop.position += time * drop.velocity;
         drop.left -= time;
         for (const SheetCells& sheet : sheets_) {
-            if (const auto share = sheet.firstMet(from, drop.position)) {
-                splash(from + *share * (drop.position - from), 1.2);
+            if (const auto fraction = sheet.firstMet(from, drop.position)) {
+                splash(from + *fraction * (drop.position - from), 1.2);
                 return true;
             }
         }
@@ -353,9 +353,9 @@ void WaterEffects::show(viewer::Picture& picture) const {
                                        float(2 * drop.radius), 0.8f});
     }
     for (const Puff& puff : puffs_) {
-        const double share = puff.age / puff.life;
-        picture.mist.push_back({puff.centre.cast<float>(), float(puff.radius * (1 + 4 * share)),
-                                float(puff.density * (1 - share) * std::min(1.0, 8 * share))});
+        const double fraction = puff.age / puff.life;
+        picture.mist.push_back({puff.centre.cast<float>(), float(puff.radius * (1 + 4 * fraction)),
+                                float(puff.density * (1 - fraction) * std::min(1.0, 8 * fraction))});
     }
     spots_.show(picture);
     openGround_.show(picture);

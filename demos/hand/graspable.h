@@ -35,7 +35,7 @@ std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const vie
 
 /// The first solid between two points, m.
 struct SolidHit {
-    double share;      ///< of the way, 0 to 1
+    double fraction;   ///< of the way, 0 to 1
     btVector3 normal;  ///< of its surface, unit length
 };
 std::optional<SolidHit> firstSolid(SceneWorld& world, const btVector3& from, const btVector3& to);

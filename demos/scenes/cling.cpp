@@ -52,7 +52,7 @@ class Cling final : public StagedScene {
     std::vector<double> row() const override {
         std::vector<double> values = {degrees(turned_)};
         for (const auto& side : sides_)
-            for (const double value : {side->carried(), side->contactShare(), side->meanHeight()})
+            for (const double value : {side->carried(), side->contactFraction(), side->meanHeight()})
                 values.push_back(value);
         return values;
     }
@@ -77,7 +77,7 @@ class Cling final : public StagedScene {
         }
 
         void note() {
-            if (contactShare() < lost) return;
+            if (contactFraction() < lost) return;
             const btVector3 middle = cloth_.centre() - ball_.getWorldTransform().getOrigin();
             const double angle = std::atan2(double(middle.z()), double(middle.y()));
             carried_ += std::remainder(angle - carried_, 2 * pi);
@@ -85,7 +85,7 @@ class Cling final : public StagedScene {
 
         /// How far the ball has taken the middle of the sheet while it was on it, degrees.
         double carried() const { return degrees(carried_); }
-        double contactShare() const {
+        double contactFraction() const {
             const btVector3 centre = ball_.getWorldTransform().getOrigin();
             const double resting = radius_ + double(cloth_.body().getCollisionShape()->getMargin());
             int touching = 0;
@@ -137,7 +137,7 @@ class Cling final : public StagedScene {
         const Side &dry = *sides_[0], &wet = *sides_[1];
         text << std::fixed << std::setprecision(0) << "balls turned by " << degrees(turned_)
              << " degrees; left dry, ";
-        if (dry.contactShare() > lost)
+        if (dry.contactFraction() > lost)
             text << "carried by " << std::lround(dry.carried());
         else
             text << "slipped off";
@@ -164,10 +164,10 @@ class Cling final : public StagedScene {
         if (shouldStay && !(wet.carried() > carriedAlong * degrees(turned_)))
             list.push_back(textOf("the ball turned by ", sixDigits(degrees(turned_)),
                                   " degrees and carried the wet sheet by ", sixDigits(wet.carried())));
-        if (shouldStay && !(wet.contactShare() > stays))
-            list.push_back(textOf("the wet sheet touches its ball with ", sixDigits(wet.contactShare()),
+        if (shouldStay && !(wet.contactFraction() > stays))
+            list.push_back(textOf("the wet sheet touches its ball with ", sixDigits(wet.contactFraction()),
                                   " of its nodes"));
-        if (turnedFar && dry.contactShare() > lost && !(dry.carried() < leftBehind))
+        if (turnedFar && dry.contactFraction() > lost && !(dry.carried() < leftBehind))
             list.push_back(textOf("the dry sheet was carried by ", sixDigits(dry.carried()),
                                   " degrees and is still on its ball"));
     }

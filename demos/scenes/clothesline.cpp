@@ -206,7 +206,7 @@ class Clothesline final : public StagedScene {
         }
         const Moisture& moisture = cloth().wet().moisture();
         samples_.push_back({cloth().mass(), moisture.totalFilmMass(), moisture.totalPoreMass(),
-                            ledger.dripped, ledger.evaporated, caught, couldDry, shareOfDryNodes()});
+                            ledger.dripped, ledger.evaporated, caught, couldDry, fractionOfDryNodes()});
     }
 
     void noteMoment() {
@@ -236,7 +236,7 @@ class Clothesline final : public StagedScene {
         return true;
     }
 
-    double shareOfDryNodes() const {
+    double fractionOfDryNodes() const {
         int dry = 0;
         for (int n = 0; n < cloth().body().m_nodes.size(); ++n)
             dry += cloth().wet().content(n) < cloth().fabric().boundMaximum ? 1 : 0;

@@ -95,7 +95,7 @@ DrapeMeter::DrapeMeter(const SceneOptions& options)
     addDisc("wet", scene.water ? 1 : 0, fabric, scene, nodesAcross(options));
 }
 
-void DrapeMeter::addDisc(const std::string& name, double shareOfSaturation, const Fabric& fabric,
+void DrapeMeter::addDisc(const std::string& name, double fractionOfSaturation, const Fabric& fabric,
                          const SceneDescription& scene, int nodesAcross) {
     const DiscMesh mesh = discMesh(clothRadius, nodesAcross, pedestalRadius);
     const btVector3 centre(btScalar(axes[discs_.size()]), btScalar(pedestalHeight), 0);
@@ -106,7 +106,7 @@ void DrapeMeter::addDisc(const std::string& name, double shareOfSaturation, cons
         std::make_unique<SceneCloth>(stage().world(), name, fabric,
                                      makeDisc(stage().world().worldInfo(), fabric, mesh, centre), settings));
     disc.setDamping(fallDamping);
-    disc.wet().presoak(shareOfSaturation * fabric.poreCapacity());
+    disc.wet().presoak(fractionOfSaturation * fabric.poreCapacity());
     // Between the plates of the instrument the cloth cannot move.
     std::mt19937 random(scene.seed);
     std::uniform_real_distribution<double> offset(-roughness, roughness);

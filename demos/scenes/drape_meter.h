@@ -36,7 +36,7 @@ class DrapeMeter final : public StagedScene {
     Drape wet() const { return drape(1); }
 
   private:
-    void addDisc(const std::string& name, double shareOfSaturation, const Fabric& fabric,
+    void addDisc(const std::string& name, double fractionOfSaturation, const Fabric& fabric,
                  const SceneDescription& scene, int nodesAcross);
     void measure() override;
     std::string remarks() const override;

@@ -55,8 +55,8 @@ class Dip final : public StagedScene {
 
   private:
     /// From 0 to 1, gently at both ends.
-    static double eased(double share) {
-        const double t = std::clamp(share, 0.0, 1.0);
+    static double eased(double fraction) {
+        const double t = std::clamp(fraction, 0.0, 1.0);
         return t * t * (3 - 2 * t);
     }
 

@@ -111,8 +111,8 @@ class HalfUnderRoof final : public StagedScene {
         const int nodes = cloth().nodesWarp();
         double held = 0, capacity = 0;
         for (std::size_t n = 0; n < moisture.size(); ++n) {
-            const double share = (double(int(n) % nodes) + 0.5) / nodes;
-            if (share < from || share >= to) continue;
+            const double fraction = (double(int(n) % nodes) + 0.5) / nodes;
+            if (fraction < from || fraction >= to) continue;
             held += moisture.poreMass()[n];
             capacity += moisture.poreCapacity(n);
         }
@@ -120,7 +120,7 @@ class HalfUnderRoof final : public StagedScene {
     }
 
     /// Share of all water that is under the roof, clear of its edge.
-    double shareDeepInShelter() const {
+    double fractionDeepInShelter() const {
         const Moisture& moisture = cloth().wet().moisture();
         double deep = 0;
         for (std::size_t n = 0; n < moisture.size(); ++n)
@@ -169,7 +169,7 @@ class HalfUnderRoof final : public StagedScene {
                 stage().weather().rain,
                 saturationBetween(0.5, 1),
                 saturationBetween(0, 0.5),
-                100 * shareDeepInShelter(),
+                100 * fractionDeepInShelter(),
                 1e3 * cloth().wet().ledger().dripped,
                 1e3 * stage().drops()->massElsewhere(),
                 double(stage().drops()->inFlight().size()),
@@ -187,8 +187,8 @@ class HalfUnderRoof final : public StagedScene {
         if (std::abs(brought() - expected_) > tolerance)
             list.push_back(textOf("the rain brought ", sixDigits(brought()), " kg instead of ",
                                   sixDigits(expected_), " kg"));
-        if (!(shareDeepInShelter() < 0.01))
-            list.push_back(textOf(sixDigits(100 * shareDeepInShelter()),
+        if (!(fractionDeepInShelter() < 0.01))
+            list.push_back(textOf(sixDigits(100 * fractionDeepInShelter()),
                                   " % of the water is under the roof, far from its edge"));
         const double fromElsewhere = cloth().wet().ledger().supplied - brought();
         if (std::abs(fromElsewhere) > 1e-9)

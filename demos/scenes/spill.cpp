@@ -232,10 +232,10 @@ class Spill final : public StagedScene {
         thread(1.04f * fall, 0.0036f);
         thread(0.5f * fall, 0.0042f);
         for (int i = 0; i < leaping; ++i) {
-            const float turns = 6 * float(time()) + 0.618f * float(i), share = turns - std::floor(turns);
+            const float turns = 6 * float(time()) + 0.618f * float(i), fraction = turns - std::floor(turns);
             const float angle = 2.4f * float(i) + 1.7f * std::floor(turns),
                         upwards = 0.35f + 0.035f * float(i % 7);
-            const float flight = 2 * upwards / gravity * share, out = 0.004f + 0.45f * flight;
+            const float flight = 2 * upwards / gravity * fraction, out = 0.004f + 0.45f * flight;
             const Eigen::Vector3f direction(std::cos(angle), 0, std::sin(angle));
             const float height = 0.003f - fall + upwards * flight - gravity * flight * flight / 2;
             picture.drops.push_back({spout + out * direction + Eigen::Vector3f(0, height, 0),

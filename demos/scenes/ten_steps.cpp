@@ -42,7 +42,7 @@ constexpr PhasePlan blowing{2.5, 1.0, 0.8};
 constexpr PhasePlan swinging{8.0, 0.0, 0.05};  // at most; ends with the period
 
 /// Water in an inner node at a step, as a share of saturation.
-double shareOfSaturation(int step) {
+double fractionOfSaturation(int step) {
     return step == 0 ? 0.0 : (0.010e-3 + 0.083e-3 * step) / saturatedNode;
 }
 
@@ -67,7 +67,7 @@ SceneDescription described(const SceneOptions& options, int step) {
     sheet.corner = {-width / 2, restingHeight, 0};
     sheet.warp = {width, 0, 0};
     sheet.weft = {0, -height, 0};
-    sheet.saturation = shareOfSaturation(step);
+    sheet.saturation = fractionOfSaturation(step);
     if (!options.smallSteps) scene.solver.smallSteps = smallSteps(sheet.nodes[0]);
     return scene;
 }
@@ -364,7 +364,7 @@ std::vector<std::string> TenSteps::failures() const {
         if (result.imbalance > 1e-6)
             list.push_back(textOf("the ledger of step ", step, " is open by ", sixDigits(result.imbalance),
                                   " of what was supplied"));
-        const double expected = 1e3 * shareOfSaturation(static_cast<int>(step)) *
+        const double expected = 1e3 * fractionOfSaturation(static_cast<int>(step)) *
                                 sheet().fabric().poreCapacity() * cottonSpacing() * cottonSpacing();
         if (sheet().nodesWarp() == 55 && std::abs(result.waterPerNode - expected) > 1e-4)
             list.push_back(textOf("an inner node of step ", step, " holds ", sixDigits(result.waterPerNode),

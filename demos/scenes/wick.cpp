@@ -205,8 +205,9 @@ class Wick final : public StagedScene {
         for (int row = cloth().nodesWarp() - 1; row >= 0; --row) {
             const double here = rowSaturation(row);
             if (here >= frontLevel) {
-                const double share = row + 1 < cloth().nodesWarp() ? (here - frontLevel) / (here - above) : 0;
-                return std::max(0.0, (row + share) * spacing_ - depth);
+                const double fraction =
+                    row + 1 < cloth().nodesWarp() ? (here - frontLevel) / (here - above) : 0;
+                return std::max(0.0, (row + fraction) * spacing_ - depth);
             }
             above = here;
         }

@@ -104,9 +104,9 @@ void SceneCloth::takeUpSlack() {
     const btVector3 along = toBullet(description_.warp.normalized()), normal = normalOf(description_);
     for (int j = 0; j < nodesWeft(); ++j)
         for (int i = 0; i < nodesWarp(); ++i) {
-            const double share = double(i) / (nodesWarp() - 1);
-            const double aside = (0.5 - share) * width * description_.slack;
-            const double out = depth * std::sin(pi * description_.waves * share);
+            const double fraction = double(i) / (nodesWarp() - 1);
+            const double aside = (0.5 - fraction) * width * description_.slack;
+            const double out = depth * std::sin(pi * description_.waves * fraction);
             place(i, j, node(i, j).m_x + along * btScalar(aside) + normal * btScalar(out));
         }
 }

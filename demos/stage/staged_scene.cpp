@@ -18,8 +18,8 @@ void setResolution(SheetDescription& sheet, int nodesWarp) {
         throw std::invalid_argument(textOf("the sheet ", inQuotes(sheet.name),
                                            " has a state for each of its ", sheet.nodes[0], " x ",
                                            sheet.nodes[1], " nodes; leave out the resolution"));
-    const double share = double(sheet.nodes[1] - 1) / (sheet.nodes[0] - 1);
-    sheet.nodes = {nodesWarp, std::max(3, 1 + int(std::lround((nodesWarp - 1) * share)))};
+    const double fraction = double(sheet.nodes[1] - 1) / (sheet.nodes[0] - 1);
+    sheet.nodes = {nodesWarp, std::max(3, 1 + int(std::lround((nodesWarp - 1) * fraction)))};
 }
 
 }  // namespace

@@ -358,7 +358,7 @@ void nextView(PanelState& state, Simulation& simulation) {
 
 void chooseWetting(PanelState& state, int tenths, Simulation& simulation) {
     state.wetting = std::clamp(tenths, 0, 10);
-    simulation.post([share = state.wetting / 10.0](Scene& scene) { wetTo(scene, share); });
+    simulation.post([fraction = state.wetting / 10.0](Scene& scene) { wetTo(scene, fraction); });
 }
 
 }  // namespace drench::demo

@@ -90,7 +90,7 @@ class DRENCH_API Moisture {
     /// Covers a share of a node's faces, 0 to 1, during the next step: that share does not dry, and a node that is
     /// covered completely does not drip. Several shares of one node add up, to at most 1.
     /// @throws std::out_of_range for the node, std::invalid_argument for the share
-    void cover(std::size_t node, double share);
+    void cover(std::size_t node, double fraction);
 
     /// Marks a node as lying on a solid during the next step: it does not drip.
     /// @throws std::out_of_range for a node that does not exist

@@ -23,7 +23,7 @@ namespace drench {
 /// plate of width L (Lamb 1932), with L the smaller of the square root of the sheet's area and 0.1 m (assumed).
 ///
 /// Buoyancy: the weight of the water displaced by fibre, pores and film. Drag and buoyancy act in proportion to
-/// `shareUnderWater`, which is above 0 up to 1 cm above the level. Dry cloth floats until its pores have filled
+/// `submergedFraction`, which is above 0 up to 1 cm above the level. Dry cloth floats until its pores have filled
 /// (cotton: to three quarters) and then sinks. Water that the cloth takes up is at rest, and slows it.
 ///
 /// A change of `level` does not give the water a velocity. Drag and buoyancy use the body's time, wetting the water's

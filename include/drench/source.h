@@ -35,8 +35,8 @@ struct DRENCH_API SheetPose {
     double totalArea;        ///< of the cloth at rest, m2
     const Shelter& shelter;  ///< solid bodies around the sheet
     const void* body;        ///< its btSoftBody, for sources that know Bullet; null without one
-    /// Value of `shareUnderWater` at which the dry cloth floats, dimensionless; above 1 for cloth that sinks at once.
-    double floatingShare = 1;
+    /// Value of `submergedFraction` at which the dry cloth floats, dimensionless; above 1 for cloth that sinks at once.
+    double floatingFraction = 1;
 
     /// Area vector of a node, m2: a third of the sum of the present area vectors of its triangles.
     Eigen::Vector3d areaVector(std::size_t node) const;
@@ -45,7 +45,7 @@ struct DRENCH_API SheetPose {
 /// Share of a node that counts as under water, 0 to 1: rises as 3 t^2 - 2 t^3 from 0 at 1 cm above the surface to 1 at
 /// 1 cm below it, so that floating cloth comes to rest (assumed).
 /// @param depth  of the node below the surface, m
-DRENCH_API double shareUnderWater(double depth);
+DRENCH_API double submergedFraction(double depth);
 
 /// Receives the water of a source. Masses are in kg, finite and at least 0; nodes without area accept no water.
 /// Invalid arguments throw std::invalid_argument or std::out_of_range and leave the sheet unchanged.
@@ -65,9 +65,9 @@ class DRENCH_API Supply {
     /// @return the mass taken: `mass`, or less if there is less
     virtual double takePores(std::size_t node, double mass) = 0;
     /// Covers a share of the node's faces, 0 to 1, for this step: it does not dry there, and at 1 it does not drip.
-    virtual void cover(std::size_t node, double share) = 0;
+    virtual void cover(std::size_t node, double fraction) = 0;
     /// Sets the depth of a node below a water surface for the body's next substep: drag and buoyancy act on it in
-    /// proportion to `shareUnderWater`. Of several depths the greatest counts. This alone does not wet the node.
+    /// proportion to `submergedFraction`. Of several depths the greatest counts. This alone does not wet the node.
     /// @param depth     m; -1e9 to 1e9; negative above the surface
     /// @param velocity  of the water there, m/s
     virtual void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) = 0;

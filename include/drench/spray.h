@@ -32,11 +32,11 @@ class DRENCH_API Spray final : public Source {
     void load(StateReader& reader) override;
 
   private:
-    void shareOut(const SheetPose& sheet);
+    void distribute(const SheetPose& sheet);
     void askForShelter(const SheetPose& sheet);
 
     std::vector<char> sheltered_;
-    std::vector<double> shares_;  // of the cone, of each node
+    std::vector<double> fractions_;  // of the cone, of each node
     std::size_t nextRay_ = 0;
 };
 

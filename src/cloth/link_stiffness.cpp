@@ -109,9 +109,9 @@ std::vector<LinkStiffness> linkStiffness(const Fabric& fabric, const ClothMesh& 
         const auto crossing = crossings.find(nodes);
         if (!link.bending && edge) {
             const Beside beside = besideOf(mesh, edges.trianglesAt(*edge)[0]);
-            const double share = isCrossed[*edge] ? 0.5 : 1.0;
+            const double fraction = isCrossed[*edge] ? 0.5 : 1.0;
             result.push_back(
-                stretchLink(fabric, beside.to - beside.from, share * areaAt(mesh, edges, *edge)));
+                stretchLink(fabric, beside.to - beside.from, fraction * areaAt(mesh, edges, *edge)));
         } else if (!link.bending && crossing != crossings.end()) {
             const double area = 0.5 * areaAt(mesh, edges, crossing->second.edge);
             result.push_back(stretchLink(fabric, crossing->second.along, area));

@@ -16,8 +16,8 @@ double smoothStep(double from, double to, double value) {
     return x * x * (3 - 2 * x);
 }
 
-double between(double from, double to, double share) {
-    return from + (to - from) * share;
+double between(double from, double to, double fraction) {
+    return from + (to - from) * fraction;
 }
 
 }  // namespace
@@ -27,10 +27,10 @@ Surface surfaceOf(const Fabric& fabric, SurfaceKind kind) {
         return {fabric.skinFrictionDry, fabric.skinFrictionDamp, fabric.skinFrictionSoaked};
     const Surface plate = {fabric.plateFrictionDry, fabric.plateFrictionDamp, fabric.plateFrictionSoaked};
     if (kind == SurfaceKind::plate) return plate;
-    constexpr double catching = 2, touchingShare = 1.0 / 3, max = 5;
+    constexpr double catching = 2, touchingFraction = 1.0 / 3, max = 5;
     const double dry = std::min(max, std::max(catching * plate.frictionDry, plate.frictionDamp));
     return {dry, std::max(dry, plate.frictionDamp), between(plate.frictionDamp, plate.frictionSoaked, 0.5),
-            touchingShare};
+            touchingFraction};
 }
 
 void validate(const Surface& surface) {

@@ -54,10 +54,10 @@ double drawnFilm(double speed, const SheetPose& sheet, double dt) {
 
 // Water reaches up to cloth as a meniscus does. What floats is in it, however high: thick cloth that is mostly
 // air floats higher. Cloth that bobs comes a little higher still.
-bool touches(double depth, double share, const SheetPose& sheet) {
+bool touches(double depth, double fraction, const SheetPose& sheet) {
     constexpr double meniscus = 2.7e-3;  // m: the capillary length, (gamma / (rho g))^1/2 on earth (textbook)
     constexpr double bobbing = 0.9;      // assumed
-    return depth > -meniscus || share > bobbing * sheet.floatingShare;
+    return depth > -meniscus || fraction > bobbing * sheet.floatingFraction;
 }
 
 // What pores lack comes over the faces, from where the step takes it up at the pace of the fabric's wetting.
@@ -86,9 +86,9 @@ void Pool::supply(const SheetPose& sheet, double dt, Supply& supply) {
         const Eigen::Vector2d across(position.dot(sides[0]), position.dot(sides[1]));
         const bool inside = (across.array() >= from.array()).all() && (across.array() <= to.array()).all();
         if (!inside || !(sheet.mesh.areas[node] > 0)) continue;
-        const double depth = level - position.dot(sheet.up), share = shareUnderWater(depth);
-        if (!(share > 0)) continue;
-        if (dt > 0 && touches(depth, share, sheet)) wet(sheet, node, dt, supply);
+        const double depth = level - position.dot(sheet.up), fraction = submergedFraction(depth);
+        if (!(fraction > 0)) continue;
+        if (dt > 0 && touches(depth, fraction, sheet)) wet(sheet, node, dt, supply);
         supply.submerge(node, depth, Eigen::Vector3d::Zero());
     }
 }

@@ -68,10 +68,10 @@ void Rain::supply(const SheetPose& sheet, double dt, Supply& supply) {
     const double drawn = randomCount(fluxAcross * total * maxStretch * dt / dropMass, random_);
     const int count = static_cast<int>(std::min(drawn, static_cast<double>(maxDrops)));
     const double massEach = count > 0 ? dropMass * (drawn / count) : 0;
-    std::uniform_real_distribution<double> anywhere(0, total), share(0, 1);
+    std::uniform_real_distribution<double> anywhere(0, total), fraction(0, 1);
     for (int drop = 0; drop < count; ++drop) {
         const auto found = std::upper_bound(areaUpTo_.begin(), areaUpTo_.end(), anywhere(random_));
-        const double chance = share(random_);
+        const double chance = fraction(random_);
         if (found == areaUpTo_.end()) continue;
         const auto node = static_cast<std::size_t>(found - areaUpTo_.begin());
         const double across = std::abs(sheet.areaVector(node).dot(fall));

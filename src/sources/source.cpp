@@ -17,7 +17,7 @@ Eigen::Vector3d SheetPose::areaVector(std::size_t node) const {
     return doubled / 6;
 }
 
-double shareUnderWater(double depth) {
+double submergedFraction(double depth) {
     constexpr double zone = 0.02;  // m
     const double t = std::clamp(0.5 + depth / zone, 0.0, 1.0);
     return t * t * (3 - 2 * t);

@@ -60,10 +60,10 @@ void Spray::supply(const SheetPose& sheet, double dt, Supply& supply) {
     checkSettings(*this);
     checkStep(dt);
     if (dt == 0) return;
-    shareOut(sheet);
+    distribute(sheet);
     askForShelter(sheet);
-    for (std::size_t node = 0; node < shares_.size(); ++node) {
-        const double mass = rate * dt * shares_[node];
+    for (std::size_t node = 0; node < fractions_.size(); ++node) {
+        const double mass = rate * dt * fractions_[node];
         if (!(mass > 0) || sheltered_[node]) continue;
         supply.addFilm(node, mass, speed * directionTo(*this, sheet.positions[node]));
     }
@@ -81,26 +81,26 @@ void Spray::load(StateReader& reader) {
     sheltered_ = std::move(sheltered);          // for another number of nodes it is asked for anew
 }
 
-void Spray::shareOut(const SheetPose& sheet) {
+void Spray::distribute(const SheetPose& sheet) {
     const double cone = 2 * pi * (1 - std::cos(halfAngle));
-    shares_.resize(sheet.mesh.size());
-    for (std::size_t node = 0; node < shares_.size(); ++node)
-        shares_[node] = solidAngle(*this, sheet, node) / cone;
+    fractions_.resize(sheet.mesh.size());
+    for (std::size_t node = 0; node < fractions_.size(); ++node)
+        fractions_[node] = solidAngle(*this, sheet, node) / cone;
     // Folds behind folds and nodes at the nozzle ask for more than there is.
-    const double sum = std::accumulate(shares_.begin(), shares_.end(), 0.0);
+    const double sum = std::accumulate(fractions_.begin(), fractions_.end(), 0.0);
     if (sum > 1)
-        for (double& share : shares_) share /= sum;
+        for (double& fraction : fractions_) fraction /= sum;
 }
 
 void Spray::askForShelter(const SheetPose& sheet) {
-    const std::size_t count = shares_.size();
+    const std::size_t count = fractions_.size();
     if (sheltered_.size() != count) sheltered_.assign(count, 0);
     if (nextRay_ >= count) nextRay_ = 0;
     int asked = 0;
     for (std::size_t looked = 0; looked < count && asked < raysPerStep; ++looked) {
         const std::size_t node = nextRay_;
         nextRay_ = (nextRay_ + 1) % count;
-        if (!(shares_[node] > 0)) continue;
+        if (!(fractions_[node] > 0)) continue;
         sheltered_[node] = isBlocked(*this, sheet, node);
         ++asked;
     }

@@ -130,9 +130,9 @@ void FilmFlow::sweepDown(double dt, const float* heights, double gravity, double
         for (const Neighbour& neighbour : neighbours_[n]) {
             const auto to = static_cast<std::size_t>(neighbour.node);
             const float rise = std::max(heights[n] - heights[to], 0.0f);
-            const double share = leaving * double(neighbour.conductance * rise) / outflow;
-            filmMass[n] -= share;
-            filmMass[to] += share;
+            const double part = leaving * double(neighbour.conductance * rise) / outflow;
+            filmMass[n] -= part;
+            filmMass[to] += part;
         }
     }
 }

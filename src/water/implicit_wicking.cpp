@@ -45,9 +45,9 @@ ImplicitWicking::ImplicitWicking(const BrooksCorey& curve, double fluxScale, con
     solver_.setMaxIterations(500);
 }
 
-void ImplicitWicking::step(double dt, const std::vector<float>& heights, double weight, double lowerShare,
+void ImplicitWicking::step(double dt, const std::vector<float>& heights, double weight, double lowerFraction,
                            std::vector<double>& poreMass) {
-    lowerShare_ = lowerShare;
+    lowerFraction_ = lowerFraction;
     rise_.clear();
     for (const Edge& edge : edges_) {
         const double rise = double(heights[static_cast<std::size_t>(edge.a)]) -
@@ -89,15 +89,15 @@ bool ImplicitWicking::tryStep(double dt, std::vector<double>& poreMass) {
 ImplicitWicking::Flux ImplicitWicking::flux(const Edge& edge) const {
     const double a = std::min(saturation_[edge.a], 1.0), b = std::min(saturation_[edge.b], 1.0);
     const double rise = rise_[static_cast<std::size_t>(&edge - edges_.data())];
-    const double shareA = rise > 0 ? 1 - lowerShare_ : lowerShare_, shareB = 1 - shareA;
+    const double fractionA = rise > 0 ? 1 - lowerFraction_ : lowerFraction_, fractionB = 1 - fractionA;
     const double scale = fluxScale_ * edge.conductance;
     const double value = curve_.psi(a) - curve_.psi(b) +
-                         rise * (shareA * curve_.permeability(a) + shareB * curve_.permeability(b));
+                         rise * (fractionA * curve_.permeability(a) + fractionB * curve_.permeability(b));
     // Beyond full pores neither pull nor permeability grow.
     const double slopeA =
-        saturation_[edge.a] > 1 ? 0.0 : curve_.psiSlope(a) + rise * shareA * curve_.permeabilitySlope(a);
+        saturation_[edge.a] > 1 ? 0.0 : curve_.psiSlope(a) + rise * fractionA * curve_.permeabilitySlope(a);
     const double slopeB =
-        saturation_[edge.b] > 1 ? 0.0 : -curve_.psiSlope(b) + rise * shareB * curve_.permeabilitySlope(b);
+        saturation_[edge.b] > 1 ? 0.0 : -curve_.psiSlope(b) + rise * fractionB * curve_.permeabilitySlope(b);
     return {scale * value, scale * slopeA, scale * slopeB};
 }
 

@@ -20,8 +20,8 @@ class ImplicitWicking {
                     const std::vector<double>& capacities);
 
     /// @param weight      rho g, Pa/m
-    /// @param lowerShare  of the lower node in the permeability to gravity
-    void step(double dt, const std::vector<float>& heights, double weight, double lowerShare,
+    /// @param lowerFraction  of the lower node in the permeability to gravity
+    void step(double dt, const std::vector<float>& heights, double weight, double lowerFraction,
               std::vector<double>& poreMass);
 
   private:
@@ -45,7 +45,7 @@ class ImplicitWicking {
     std::vector<Edge> edges_;
     std::vector<double> capacities_;
     std::vector<double> rise_;  // of each edge, rho g (z_a - z_b), Pa
-    double lowerShare_ = 0.5;
+    double lowerFraction_ = 0.5;
 
     std::vector<Flux> fluxes_;
     Eigen::VectorXd saturation_;

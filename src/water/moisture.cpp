@@ -139,12 +139,12 @@ double Moisture::takePores(std::size_t node, double mass, std::size_t account) {
     return taken;
 }
 
-void Moisture::cover(std::size_t node, double share) {
+void Moisture::cover(std::size_t node, double fraction) {
     checkWater(node, 0, 0);
-    if (!(share >= 0 && share <= 1))
-        refuse("a covered fraction of ", share, " for node ", node, "; give 0 to 1");
-    if (share == 0) return;
-    const double open = double(openAreas_[node]) - share * areas_[node];
+    if (!(fraction >= 0 && fraction <= 1))
+        refuse("a covered fraction of ", fraction, " for node ", node, "; give 0 to 1");
+    if (fraction == 0) return;
+    const double open = double(openAreas_[node]) - fraction * areas_[node];
     constexpr double rounding = 1e-5;  // of shares that should add up to 1
     openAreas_[node] = open > rounding * areas_[node] ? static_cast<float>(open) : 0.0f;
     covered_.push_back(node);
@@ -210,13 +210,13 @@ void Moisture::step(double dt, const Surroundings& surroundings) {
 
 /// The exponential approach to saturation.
 void Moisture::absorb(double dt) {
-    const double share = -std::expm1(-dt / wettingTime_);
+    const double fraction = -std::expm1(-dt / wettingTime_);
     const double* capacity = capacities_.data();
     double *pore = poreMass_.data(), *film = filmMass_.data();
 #pragma omp simd
     for (std::size_t n = 0; n < poreMass_.size(); ++n) {
         const double there = film[n], missing = std::max(capacity[n] - pore[n], 0.0);
-        const double absorbed = std::min(there, missing * share);
+        const double absorbed = std::min(there, missing * fraction);
         pore[n] += absorbed;
         film[n] = there - absorbed;
     }

@@ -12,7 +12,7 @@ namespace drench {
 namespace {
 
 /// Share of the lower node in the permeability to gravity.
-double lowerShare(const BrooksCorey& curve, double gravity, double longestEdge) {
+double lowerFraction(const BrooksCorey& curve, double gravity, double longestEdge) {
     const double weight = waterDensity * gravity * longestEdge * EdgeRuns::allowedStretch;
     const double steepest = curve.permeabilitySlope(1) / curve.psiSlope(1);  // (3 L + 2) / p_b
     return weight * steepest > 2 ? 1 / (weight * steepest) : 0.5;
@@ -69,7 +69,7 @@ void Wicking::step(double dt, const std::vector<float>& heights, double gravity,
     if (steps > maxExplicitSteps) {
         if (!implicit_)
             implicit_ = std::make_unique<ImplicitWicking>(curve_, fluxScale_, runs_.edges(), capacities);
-        implicit_->step(dt, heights, waterDensity * gravity, lowerShare(curve_, gravity, longestEdge_),
+        implicit_->step(dt, heights, waterDensity * gravity, lowerFraction(curve_, gravity, longestEdge_),
                         poreMass);
         return;
     }
@@ -105,12 +105,12 @@ void Wicking::evaluate(const double* poreMass, double psiFactor) {
 void Wicking::explicitStep(double dt, const float* heights, double gravity, double* poreMass) {
     evaluate(poreMass, dt * fluxScale_ * curve_.psiScale());
     const float weight = static_cast<float>(dt * fluxScale_ * waterDensity * gravity);
-    const float share = static_cast<float>(lowerShare(curve_, gravity, longestEdge_));
+    const float fraction = static_cast<float>(lowerFraction(curve_, gravity, longestEdge_));
     const float *psi = psi_.data(), *permeability = permeability_.data();
     runs_.move(poreMass, [=](std::size_t a, std::size_t b, float conductance, float steepest) {
         const float rise = std::min(std::max(heights[a] - heights[b], -steepest), steepest);
-        const float shareA = rise > 0 ? 1 - share : share;
-        const float mean = permeability[b] + shareA * (permeability[a] - permeability[b]);
+        const float fractionA = rise > 0 ? 1 - fraction : fraction;
+        const float mean = permeability[b] + fractionA * (permeability[a] - permeability[b]);
         return conductance * (psi[a] - psi[b] + weight * mean * rise);
     });
 }

@@ -303,7 +303,7 @@ struct PackedGrid {
                 if (chosen[lane] < 0) continue;
                 block.first[lane] = links[std::size_t(chosen[lane])][0];
                 block.second[lane] = links[std::size_t(chosen[lane])][1];
-                block.firstShare[lane] = block.secondShare[lane] = 0.3f;
+                block.firstFraction[lane] = block.secondFraction[lane] = 0.3f;
             }
         }
         linkCount = links.size();

@@ -110,8 +110,8 @@ class Sheet {
             filmed += water_.filmThickness(n) > 0.5 * film;
         }
         const auto isHalf = [this](std::size_t count) {
-            const double share = double(count) / double(nodes());
-            return share > 0.45 && share < 0.55;
+            const double fraction = double(count) / double(nodes());
+            return fraction > 0.45 && fraction < 0.55;
         };
         return isHalf(wet) && (which_.withFilm ? isHalf(filmed) : filmed == 0);
     }

@@ -260,9 +260,9 @@ TEST(Cantilever, FrictionHoldsClothStraighterOnTheWayDownAndMoreBentOnTheWayBack
     Fabric fabric = bendable(fabrics::cottonPlain().bending, 0.150);
     const double length = 2 * theory(fabric.bending, fabric.arealDensity);
     const double clampMoment = fabric.arealDensity * gravity * length * length / 2;
-    for (const double share : {0.075, 0.25})
+    for (const double fraction : {0.075, 0.25})
         for (const Direction along : {Direction::warp, Direction::weft}) {
-            fabric.bendingFriction = share * clampMoment;
+            fabric.bendingFriction = fraction * clampMoment;
             const Loop expected = loopOfTheory(fabric, length), found = loopOfStrip(fabric, length, along);
             SCOPED_TRACE("friction " + std::to_string(fabric.bendingFriction));
             ASSERT_GT(expected.back, expected.down + 5 * degree);

@@ -65,11 +65,11 @@ TEST_P(DeformableContact, WaterHoldsClothOnASlopeAndMoreWaterLetsItGo) {
 }
 
 TEST_P(DeformableContact, AWetSheetHangsOnACeilingWhileItsBondExceedsItsWeight) {
-    for (const double share : {0.9, 1.1}) {
-        WetContactRig rig(deformableWorld(GetParam()), nodes, test::cottonThatClings(share));
+    for (const double fraction : {0.9, 1.1}) {
+        WetContactRig rig(deformableWorld(GetParam()), nodes, test::cottonThatClings(fraction));
         rig.pressAgainstCeiling();
         rig.run(1, substepsFor(rig.cover(0.6), GetParam()));
-        if (share > 1) {
+        if (fraction > 1) {
             EXPECT_GT(test::lowest(rig.sheet()), -double(rig.margin()) - 2e-3);
         } else {
             EXPECT_LT(double(test::centre(rig.sheet()).y()), -1.5) << "as far as bonds break";

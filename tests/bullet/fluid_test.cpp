@@ -326,8 +326,8 @@ std::vector<FluidForce> forces(PushByFluid push) {
         positions.push_back({0.2f * random(), 0.2f * random(), 0.2f * random(), 0});
         velocities.push_back({random(), random(), random(), 0});
         accelerations.push_back({9 * random(), 9 * random(), 9 * random(), 0});
-        const float share = n < 9 ? 0 : 0.5f + random();
-        fluid.push_back({share, 0.5f * share, 0.3f, 1e-3f});
+        const float fraction = n < 9 ? 0 : 0.5f + random();
+        fluid.push_back({fraction, 0.5f * fraction, 0.3f, 1e-3f});
     }
     push(result.data(), &block, positions.data(), velocities.data(), accelerations.data(), fluid.data(),
          {1.2f, 1000, 0.6f, 0.015f, 78, 1.0f / 60}, 1);

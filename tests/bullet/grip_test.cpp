@@ -232,7 +232,7 @@ TEST(Grip, ClothSlidesOnClothAsOnAPlate) {
 
 /// How far a piece of cloth on a ball has got from the place on the ball where it lay, after the ball has turned upside
 /// down and further about a level axis, m.
-double leftBehind(double shareOfSaturation) {
+double leftBehind(double fractionOfSaturation) {
     constexpr double radius = 0.2, angularAcceleration = 4;
     const Fabric fabric = fabrics::cottonPlain();
     test::SmallStepWorld rig;
@@ -242,7 +242,7 @@ double leftBehind(double shareOfSaturation) {
     btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabric, 0.2, 21, radius + 0.006));
     WetCloth& cloth = rig.cover(sheet, fabric);
     cloth.air().vapourExchange = 0;
-    cloth.presoak(shareOfSaturation * fabric.poreCapacity());
+    cloth.presoak(fractionOfSaturation * fabric.poreCapacity());
     cloth.setSurface(ball, SurfaceKind::plate);
     rig.run(0.5);
     const btVector3& middle = sheet.m_nodes[sheet.m_nodes.size() / 2].m_x;

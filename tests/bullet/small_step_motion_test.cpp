@@ -122,10 +122,10 @@ double energyOf(const btSoftBody& sheet, const Fabric& fabric, double side, int 
     for (int j = 0; j < nodes; ++j)
         for (int i = 0; i < nodes; ++i) {
             const int here = i + nodes * j, next = here + 1, below = here + nodes;
-            const double rowShare = j == 0 || j == nodes - 1 ? 0.5 : 1,
-                         columnShare = i == 0 || i == nodes - 1 ? 0.5 : 1;
-            if (i + 1 < nodes) add(here, next, cell, (fabric.stretchWarp - fabric.shear) * rowShare);
-            if (j + 1 < nodes) add(here, below, cell, (fabric.stretchWeft - fabric.shear) * columnShare);
+            const double rowFraction = j == 0 || j == nodes - 1 ? 0.5 : 1,
+                         columnFraction = i == 0 || i == nodes - 1 ? 0.5 : 1;
+            if (i + 1 < nodes) add(here, next, cell, (fabric.stretchWarp - fabric.shear) * rowFraction);
+            if (j + 1 < nodes) add(here, below, cell, (fabric.stretchWeft - fabric.shear) * columnFraction);
             if (i + 1 == nodes || j + 1 == nodes) continue;
             add(here, below + 1, cell * std::sqrt(2.0), fabric.shear);
             add(next, below, cell * std::sqrt(2.0), fabric.shear);

@@ -32,13 +32,13 @@ TEST(SmallStepTouch, TwoSheetsThatMeetKeepTheirMomentumAndDoNotPass) {
         rig.cover(*body, fabrics::cottonPlain(), test::withoutAir()).air().vapourExchange = 0;
     test::setVelocity(upper, {0, -1, 0});
     const btVector3 before = momentum(lower) + momentum(upper);
-    double largestShare = 0;
+    double largestFraction = 0;
     for (int i = 0; i < 20; ++i) {
         rig.run(1.0 / 60);
-        largestShare = std::max(largestShare, double(momentum(lower).y() / before.y()));
+        largestFraction = std::max(largestFraction, double(momentum(lower).y() / before.y()));
     }
     const btVector3 after = momentum(lower) + momentum(upper);
-    EXPECT_GT(largestShare, 0.3) << "the lower sheet has not been hit";
+    EXPECT_GT(largestFraction, 0.3) << "the lower sheet has not been hit";
     // The air takes some of it.
     EXPECT_NEAR(double((after - before).length() / before.length()), 0, 0.12);
     EXPECT_LT(std::abs(double(after.x() + after.z())), 1e-3 * double(before.length()));

@@ -60,15 +60,15 @@ TEST(StockContact, WaterHoldsClothOnASlopeAndMoreWaterLetsItGo) {
 
 TEST(StockContact, AWetSheetHangsOnACeilingWhileItsBondExceedsItsWeight) {
     for (const Stepping stepping : {Stepping::byWorld, Stepping::byApplication})
-        for (const double share : {0.9, 1.1}) {
-            WetContactRig rig(stockWorld(), nodes, test::cottonThatClings(share));
+        for (const double fraction : {0.9, 1.1}) {
+            WetContactRig rig(stockWorld(), nodes, test::cottonThatClings(fraction));
             rig.pressAgainstCeiling();
             WetCloth& cloth = rig.cover(0.6, stepping);
             for (int i = 0; i < 2 * substeps; ++i) {
                 if (stepping == Stepping::byApplication) cloth.preSubstep(btScalar(1.0 / substeps));
                 rig.run(1.0 / substeps, substeps);
             }
-            if (share > 1) {
+            if (fraction > 1) {
                 EXPECT_GT(test::lowest(rig.sheet()), -double(rig.margin()) - 1e-3);
             } else {
                 EXPECT_LT(double(test::centre(rig.sheet()).y()), -5) << "as far as bonds break";

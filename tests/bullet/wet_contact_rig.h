@@ -115,10 +115,10 @@ class WetContactRig {
 };
 
 /// Cotton whose bonds hold so much of the weight that it has at 60 % of its pores' capacity.
-inline Fabric cottonThatClings(double share) {
+inline Fabric cottonThatClings(double fraction) {
     constexpr double reach = 0.01;  // of bonds in a coarse mesh, m
     Fabric fabric = fabrics::cottonPlain();
-    fabric.clingEnergy = share * (fabric.arealDensity + 0.6 * fabric.poreCapacity()) * gravity * reach;
+    fabric.clingEnergy = fraction * (fabric.arealDensity + 0.6 * fabric.poreCapacity()) * gravity * reach;
     return fabric;
 }
 

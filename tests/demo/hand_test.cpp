@@ -250,10 +250,10 @@ TEST(Hand, TowelTakesWaterWhereItDabs) {
 TEST(Wetting, GivesEachNodeItsShare) {
     Rig rig(smallSteps, 0.2);
     rig.cloth().soak(0.05);
-    for (const double share : {0.7, 0.3, 0.0, 1.0}) {
-        wetTo(rig.cloth(), share);
+    for (const double fraction : {0.7, 0.3, 0.0, 1.0}) {
+        wetTo(rig.cloth(), fraction);
         for (int n = 0; n < rig.sheet().body().m_nodes.size(); ++n)
-            ASSERT_NEAR(rig.cloth().saturation(n), share, 1e-9);
+            ASSERT_NEAR(rig.cloth().saturation(n), fraction, 1e-9);
         EXPECT_EQ(rig.cloth().moisture().totalFilmMass(), 0);
         EXPECT_LT(rig.imbalance(), 1e-12);
     }

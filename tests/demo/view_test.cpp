@@ -19,8 +19,8 @@ double luminance(const Eigen::Vector3f& rgb) {
 }
 
 TEST(ColourMap, GetsLighterInEvenSteps) {
-    const auto lightness = [](double share) {
-        return 116 * std::cbrt(luminance(viewer::mappedColour(float(share)))) - 16;
+    const auto lightness = [](double fraction) {
+        return 116 * std::cbrt(luminance(viewer::mappedColour(float(fraction)))) - 16;
     };
     const double mean = (lightness(1) - lightness(0)) / 16;
     EXPECT_GT(mean, 3.5);

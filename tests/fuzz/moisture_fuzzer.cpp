@@ -90,8 +90,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
                 choices.around(1e-4, 60) * std::pow(10, choices.oneIn(4) ? choices.whole(0, 7) : 0);
             fuzz::accepts([&] { water.step(dt, around); });
             fuzz::check(water);
-            for (const double share : laws.albedo(water.meanSaturation()))
-                if (!(share >= 0 && share <= 1)) fuzz::fail("an albedo of " + std::to_string(share));
+            for (const double reflectance : laws.albedo(water.meanSaturation()))
+                if (!(reflectance >= 0 && reflectance <= 1))
+                    fuzz::fail("an albedo of " + std::to_string(reflectance));
         }
     });
     return 0;

@@ -57,7 +57,7 @@ std::vector<double> stiffnessOf(const btSoftBody& sheet, const WetCloth& cloth) 
 enum class LinkConstant { drench, xpbd };
 
 /// Sag of the upper edge's middle after six damped seconds, m.
-double sagInBullet(LinkConstant kind, int substepsPerFrame, double share) {
+double sagInBullet(LinkConstant kind, int substepsPerFrame, double fraction) {
     demo::BulletWorld bullet;
     const auto sheet = hung(bullet.world().getWorldInfo());
     bullet.world().addSoftBody(sheet.get());
@@ -65,7 +65,7 @@ double sagInBullet(LinkConstant kind, int substepsPerFrame, double share) {
     settings.stepping = Stepping::byApplication;
     settings.waterSpeed = 0;  // the static solution knows no water that runs down
     auto cloth = std::make_unique<WetCloth>(bullet.world(), *sheet, cotton(), settings);
-    cloth->presoak(share * cotton().poreCapacity());
+    cloth->presoak(fraction * cotton().poreCapacity());
     const std::vector<double> stiffness = stiffnessOf(*sheet, *cloth);
     const double dt = 1.0 / 60 / substepsPerFrame;
     sheet->m_cfg.kDP = btScalar(3 * dt);
@@ -83,14 +83,14 @@ double sagInBullet(LinkConstant kind, int substepsPerFrame, double share) {
     return height - double(sheet->m_nodes[nodesWarp / 2].m_x.y());
 }
 
-double sagAtRest(double share) {
+double sagAtRest(double fraction) {
     demo::BulletWorld bullet;
     const auto sheet = hung(bullet.world().getWorldInfo());
     SheetSettings settings;
     settings.stepping = Stepping::byApplication;
     settings.waterSpeed = 0;  // the static solution knows no water that runs down
     WetCloth cloth(bullet.world(), *sheet, cotton(), settings);
-    cloth.presoak(share * cotton().poreCapacity());
+    cloth.presoak(fraction * cotton().poreCapacity());
     const std::vector<double> stiffness = stiffnessOf(*sheet, cloth);
     StaticProblem problem;
     for (int n = 0; n < sheet->m_nodes.size(); ++n) {
@@ -118,9 +118,9 @@ int main() {
     std::printf("substeps  XPBD dry  Drench dry  XPBD wet  Drench wet\n");
     for (const int substeps : {8, 16, 32, 64, 128}) {
         std::printf("%8d", substeps);
-        for (const double share : {0.0, 1.0})
+        for (const double fraction : {0.0, 1.0})
             for (const LinkConstant kind : {LinkConstant::xpbd, LinkConstant::drench})
-                std::printf("  %8.4f", sagInBullet(kind, substeps, share));
+                std::printf("  %8.4f", sagInBullet(kind, substeps, fraction));
         std::printf("\n");
         std::fflush(stdout);
     }

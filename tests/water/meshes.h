@@ -79,9 +79,9 @@ inline LaidOut rotatedGrid(int columns, int rows, double spacing, double angle) 
 
 /// How bad an irregular mesh is.
 struct Disorder {
-    double jitter = 0.35;     ///< of the spacing, at most 0.45
-    double worseShare = 0.5;  ///< of cells that are cut along the worse diagonal
-    bool evenBorder = false;  ///< border and the nodes next to it stay where a grid has them
+    double jitter = 0.35;        ///< of the spacing, at most 0.45
+    double worseFraction = 0.5;  ///< of cells that are cut along the worse diagonal
+    bool evenBorder = false;     ///< border and the nodes next to it stay where a grid has them
 };
 
 /// A rectangle cut badly: nodes are moved at random (those of the border along it), and many cells are cut so
@@ -124,7 +124,7 @@ inline LaidOut irregular(int columns, int rows, double spacing, unsigned seed,
             std::array<std::array<int, 3>, 2> better = {{{a, b, d}, {a, d, c}}},
                                               worse = {{{a, b, c}, {b, d, c}}};
             if (badness(better) > badness(worse)) std::swap(better, worse);
-            const bool takeWorse = chance(random) < disorder.worseShare && badness(worse) < 4;
+            const bool takeWorse = chance(random) < disorder.worseFraction && badness(worse) < 4;
             for (const auto& nodes : takeWorse ? worse : better) triangles.push_back(nodes);
         }
     return {flatMesh(positions, triangles), positions};
@@ -174,12 +174,12 @@ inline double valueAt(const LaidOut& mesh, const std::vector<double>& values,
         std::array<Eigen::Vector2d, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.positions[static_cast<std::size_t>(nodes[i])];
         const double whole = signedArea(corners[0], corners[1], corners[2]);
-        std::array<double, 3> share;
+        std::array<double, 3> fraction;
         for (std::size_t i = 0; i < 3; ++i)
-            share[i] = signedArea(position, corners[(i + 1) % 3], corners[(i + 2) % 3]) / whole;
-        if (*std::min_element(share.begin(), share.end()) < -1e-9) continue;
+            fraction[i] = signedArea(position, corners[(i + 1) % 3], corners[(i + 2) % 3]) / whole;
+        if (*std::min_element(fraction.begin(), fraction.end()) < -1e-9) continue;
         double value = 0;
-        for (std::size_t i = 0; i < 3; ++i) value += share[i] * values[static_cast<std::size_t>(nodes[i])];
+        for (std::size_t i = 0; i < 3; ++i) value += fraction[i] * values[static_cast<std::size_t>(nodes[i])];
         return value;
     }
     return 0;

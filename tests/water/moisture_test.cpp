@@ -205,8 +205,8 @@ TEST(Moisture, EveryWayInAndOutRefusesTheSame) {
 
 TEST(Moisture, RefusesCoversThatAreNone) {
     Moisture water(fabrics::cottonPlain(), separateNodes({0.01, 0.0}));
-    for (const double share : {-0.1, 1.1, nan})
-        EXPECT_THROW(water.cover(0, share), std::invalid_argument) << share;
+    for (const double fraction : {-0.1, 1.1, nan})
+        EXPECT_THROW(water.cover(0, fraction), std::invalid_argument) << fraction;
     EXPECT_THROW(water.cover(1, 0.5), std::invalid_argument);
     EXPECT_THROW(water.cover(2, 0.5), std::out_of_range);
     water.addPores(0, water.poreCapacity(0));

@@ -134,33 +134,33 @@ TEST(Pool, WetsOnlyInsideItsRectangleWhicheverWayIsUp) {
 }
 
 /// Share of a level cloth at height 0 that is under water.
-double shareAt(double level, double dt = 0.1) {
+double fractionAt(double level, double dt = 0.1) {
     Cloth cloth(1, 4);
     Pool pool(level);
     run(pool, cloth, dt, 1);
-    for (const double share : cloth.submerged) EXPECT_EQ(share, cloth.submerged[0]);
+    for (const double fraction : cloth.submerged) EXPECT_EQ(fraction, cloth.submerged[0]);
     return cloth.submerged[0];
 }
 
 TEST(Pool, CoversANodeSmoothlyFromOneCentimetreAboveItsLevelToOneBelow) {
-    EXPECT_EQ(shareAt(-0.0101), 0);
-    EXPECT_EQ(shareAt(0.0101), 1);
-    EXPECT_EQ(shareAt(100), 1);
-    EXPECT_NEAR(shareAt(0), 0.5, 1e-12);
-    EXPECT_NEAR(shareAt(0.005), 0.84375, 1e-12);  // 3 t^2 - 2 t^3 at t = 3/4
+    EXPECT_EQ(fractionAt(-0.0101), 0);
+    EXPECT_EQ(fractionAt(0.0101), 1);
+    EXPECT_EQ(fractionAt(100), 1);
+    EXPECT_NEAR(fractionAt(0), 0.5, 1e-12);
+    EXPECT_NEAR(fractionAt(0.005), 0.84375, 1e-12);  // 3 t^2 - 2 t^3 at t = 3/4
     double before = 0;
     for (double level = -0.0099; level < 0.01; level += 1e-4) {
-        const double share = shareAt(level);
-        EXPECT_GT(share, before);
-        EXPECT_LT(share, before + 0.0076);  // steepest at the level: 1.5 / 2 cm
-        before = share;
+        const double fraction = fractionAt(level);
+        EXPECT_GT(fraction, before);
+        EXPECT_LT(fraction, before + 0.0076);  // steepest at the level: 1.5 / 2 cm
+        before = fraction;
     }
 }
 
 /// Film of a level cloth of that floating share above a level, kg/m2.
-double filmAbove(double height, double floatingShare) {
+double filmAbove(double height, double floatingFraction) {
     Cloth cloth(1, 4);
-    cloth.floatingShare = floatingShare;
+    cloth.floatingFraction = floatingFraction;
     Pool pool(-height);
     run(pool, cloth, 0.5, 1);
     EXPECT_GT(cloth.submerged[0], 0);
@@ -183,7 +183,7 @@ TEST(Pool, WetsAsHighAsAMeniscusAndWhatFloats) {
 }
 
 TEST(Pool, CarriesClothAlsoWhileWaterTimeStandsStill) {
-    EXPECT_EQ(shareAt(0.02, 0), 1);
+    EXPECT_EQ(fractionAt(0.02, 0), 1);
 }
 
 TEST(Pool, IsNotThereWithoutGravity) {

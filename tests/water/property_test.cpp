@@ -19,7 +19,7 @@ class Random {
     explicit Random(unsigned seed) : engine_(seed) {}
     double between(double low, double high) { return low + (high - low) * double(engine_()) / 4294967296.0; }
     double logBetween(double low, double high) { return low * std::pow(high / low, between(0, 1)); }
-    bool chance(double share) { return between(0, 1) < share; }
+    bool chance(double fraction) { return between(0, 1) < fraction; }
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(between(0, double(count))); }
     unsigned seed() { return static_cast<unsigned>(engine_()); }
 
@@ -184,19 +184,19 @@ TEST(Property, AMillionStepsLoseNoWater) {
 
 TEST(Property, StepsWithLittleWaterLoseNoneEither) {
     // What rounding takes must be little next to what there is, not next to what the cloth could hold.
-    for (const double share : {1e-3, 1e-6, 1e-9}) {
+    for (const double fraction : {1e-3, 1e-6, 1e-9}) {
         Random random(6);
         const LaidOut mesh = meshes::irregular(6, 6, 0.005, 7);
         Moisture water(fabrics::cottonPlain(), mesh.cloth);
         for (std::size_t n = 0; n < water.size(); ++n)
-            water.addPores(n, share * random.between(0, 1) * water.poreCapacity(n));
+            water.addPores(n, fraction * random.between(0, 1) * water.poreCapacity(n));
         for (int i = 0; i < 2000; ++i) {
             Surroundings around = randomSurroundings(random, mesh);
             around.humidity = 0;
             around.dryingRate = 0;
             water.step(random.logBetween(1e-3, 60), around);
         }
-        EXPECT_TRUE(isSound(water)) << "share " << share;
+        EXPECT_TRUE(isSound(water)) << "share " << fraction;
     }
 }
 

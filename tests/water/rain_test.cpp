@@ -23,8 +23,8 @@ using test::run;
 // A flat roof at a height, endless but for x below its edge.
 std::function<bool(const Vector3d&, const Vector3d&)> roof(double height, double edge) {
     return [=](const Vector3d& from, const Vector3d& to) {
-        const double share = (height - from.y()) / (to.y() - from.y());
-        return share > 0 && share < 1 && (from + share * (to - from)).x() > edge;
+        const double fraction = (height - from.y()) / (to.y() - from.y());
+        return fraction > 0 && fraction < 1 && (from + fraction * (to - from)).x() > edge;
     };
 }
 

@@ -42,7 +42,7 @@ struct Cloth final : Supply {
     std::vector<std::vector<int>> trianglesAround;
     std::vector<double> poreMass, filmMass, covered, submerged;
     std::vector<Eigen::Vector3d> arrivals;  ///< velocities of what came with one
-    double poreCapacity = 0.3, wettingTime = 2, gravity = 9.81, floatingShare = 1;
+    double poreCapacity = 0.3, wettingTime = 2, gravity = 9.81, floatingFraction = 1;
     Eigen::Vector3d up = {0, 1, 0};
     CountingShelter shelter;
     double taken = 0;
@@ -95,7 +95,7 @@ struct Cloth final : Supply {
                 std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0),
                 shelter,
                 nullptr,
-                floatingShare};
+                floatingFraction};
     }
     void move(const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& to) {
         for (Eigen::Vector3d& position : positions) position = to(position);
@@ -140,12 +140,12 @@ struct Cloth final : Supply {
         return mass;
     }
     double takePores(std::size_t, double) override { return 0; }
-    void cover(std::size_t node, double share) override { covered[node] = share; }
+    void cover(std::size_t node, double fraction) override { covered[node] = fraction; }
     void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) override {
         ASSERT_LT(node, mesh.size());
         EXPECT_TRUE(std::isfinite(depth));
         EXPECT_EQ(velocity, Eigen::Vector3d::Zero());
-        submerged[node] = shareUnderWater(depth);
+        submerged[node] = submergedFraction(depth);
     }
 };
 

@@ -406,13 +406,14 @@ TEST(Wicking, WaterPassesTheSeamOfASleeveAsIfThereWereNone) {
 
 TEST(Wicking, AnyStepKeepsStoresWithinTheirBoundsAndAllWater) {
     std::mt19937 random(17);
-    std::uniform_real_distribution<double> share(0, 1);
+    std::uniform_real_distribution<double> fraction(0, 1);
     for (const double spacing : {0.01, 0.0025})
         for (const double dt : {1e-4, 1e-3, 0.01, 0.1, 0.5, 1.0, 5.0, 20.0, 60.0}) {
             Strip strip = uprightStrip(spacing, 0.10);
             double supplied = 0;
             for (std::size_t n = 0; n < strip.water.size(); ++n) {
-                const double mass = share(random) < 0.3 ? 0 : share(random) * strip.water.poreCapacity(n);
+                const double mass =
+                    fraction(random) < 0.3 ? 0 : fraction(random) * strip.water.poreCapacity(n);
                 strip.water.addPores(n, mass);
                 supplied += mass;
             }

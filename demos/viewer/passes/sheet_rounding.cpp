@@ -48,12 +48,12 @@ std::uint32_t piecesAlongAnEdge(std::size_t triangles) {
 
 // The points of one triangle row by row: row i holds i + 1 of them.
 void addVertices(SheetTriangles& result, const Corners& corners, std::uint32_t pieces) {
-    const float share = 1.0f / static_cast<float>(pieces);
+    const float fraction = 1.0f / static_cast<float>(pieces);
     for (std::uint32_t row = 0; row <= pieces; ++row) {
         for (std::uint32_t column = 0; column <= row; ++column) {
-            const Weights weights{share * static_cast<float>(pieces - row),
-                                  share * static_cast<float>(row - column),
-                                  share * static_cast<float>(column)};
+            const Weights weights{fraction * static_cast<float>(pieces - row),
+                                  fraction * static_cast<float>(row - column),
+                                  fraction * static_cast<float>(column)};
             result.vertices.push_back(vertexAt(corners, weights));
         }
     }

@@ -26,9 +26,9 @@ bool onScreen(const Eigen::Vector3f& rgb) {
 
 }  // namespace
 
-Eigen::Vector3f mappedColour(float share) {
+Eigen::Vector3f mappedColour(float fraction) {
     constexpr float degree = 3.14159265f / 180.0f;
-    const float t = std::clamp(share, 0.0f, 1.0f);
+    const float t = std::clamp(fraction, 0.0f, 1.0f);
     const float lightness = 0.28f + 0.64f * t;
     const float hue = (300.0f - 195.0f * t) * degree;
     // As vivid as the screen can show it, up to a limit.

@@ -22,8 +22,8 @@ int decimalsFor(float step) {
     return std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 0, 6);
 }
 
-ImU32 screenColour(float share) {
-    const Eigen::Vector3f light = mappedColour(share).cwiseMax(0.0f).cwiseMin(1.0f);
+ImU32 screenColour(float fraction) {
+    const Eigen::Vector3f light = mappedColour(fraction).cwiseMax(0.0f).cwiseMin(1.0f);
     const auto encoded = [](float channel) {
         return channel <= 0.0031308f ? 12.92f * channel : 1.055f * std::pow(channel, 1.0f / 2.4f) - 0.055f;
     };

@@ -65,8 +65,8 @@ inline btVector3 drag(const btVector3& slip, btScalar length, btScalar stopping,
 /// @param margin  of both together, m
 template <typename Scalar>
 Scalar liftAtOnce(Scalar depth, Scalar margin) {
-    constexpr auto share = Scalar(0.1);
-    return std::min(depth, share * margin);
+    constexpr auto fraction = Scalar(0.1);
+    return std::min(depth, fraction * margin);
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

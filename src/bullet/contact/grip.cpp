@@ -50,8 +50,8 @@ Surface Grip::surfaceAt(const btCollisionObject& solid, btScalar kDF) const {
     const double dry = usableFriction(double(kDF) * double(solid.getFriction()));
     const Surface& plate = ofKind(SurfaceKind::plate);
     if (!(plate.frictionDry > 0)) return {dry, dry, dry, plate.wettability};
-    const double share = dry / plate.frictionDry;
-    return {dry, share * plate.frictionDamp, share * plate.frictionSoaked, plate.wettability};
+    const double fraction = dry / plate.frictionDry;
+    return {dry, fraction * plate.frictionDamp, fraction * plate.frictionSoaked, plate.wettability};
 }
 
 double Grip::frictionRatio(std::size_t node) const {

@@ -35,7 +35,7 @@ float sizeOf(const Eigen::Array4f& a) {
 FluidForces::FluidForces(const RestShape& shape, const Fabric& fabric)
     : areas_(shape.nodeAreas.begin(), shape.nodeAreas.end()),
       fibrePerArea_(waterDensity * fabric.arealDensity / fabric.fibreDensity),
-      floatingShare_(fabric.arealDensity / (fibrePerArea_ + fabric.poreCapacity())),
+      floatingFraction_(fabric.arealDensity / (fibrePerArea_ + fabric.poreCapacity())),
       // Across the cloth as along it (assumed), whose two directions count alike.
       waterPermeability_(std::sqrt(fabric.permeabilityWarp * fabric.permeabilityWeft) /
                          (waterViscosity * fabric.thickness)),
@@ -80,9 +80,9 @@ bool FluidForces::isLiftedOtherwise(const Around& around) const {
     double changed = 0;
     for (const std::size_t n : around.water.nodes())
         changed += double(areas_[n]) *
-                   std::abs(shareUnderWater(double(around.water.depth(n))) - double(fluid_[n].share));
+                   std::abs(submergedFraction(double(around.water.depth(n))) - double(fluid_[n].fraction));
     for (const std::size_t n : wet_)
-        if (!around.water.knows(n)) changed += double(areas_[n] * fluid_[n].share);
+        if (!around.water.knows(n)) changed += double(areas_[n] * fluid_[n].fraction);
     return changed > noticeable * totalArea_;
 }
 
@@ -146,8 +146,8 @@ void FluidForces::gather(const Around& around) {
         const float size = sizeOf(explained), max = hardest + 2 * size;
         if (size < absurd)
             others += ((change - explained).min(max).max(-max) - others) *
-                      (newestInAir + (newestInWater - newestInAir) * fluid.share);
-        if (fluid.share > 0) others -= answered(n, meant, change);
+                      (newestInAir + (newestInWater - newestInAir) * fluid.fraction);
+        if (fluid.fraction > 0) others -= answered(n, meant, change);
         const float mass = float(around.mechanics.masses[n]);
         const Eigen::Array4f sum = gravity + others;
         acceleration = {sum[0], sum[1], sum[2], acceleration.lifted};
@@ -177,7 +177,7 @@ Eigen::Array4f FluidForces::answered(std::size_t node, const Eigen::Array4f& mea
     if (!(meantAlong > 0 && follows < 0.5f)) return Eigen::Array4f::Zero();
     // The force changes with the estimate by the share of the mass that is water's.
     const FluidNode& fluid = fluid_[node];
-    const float perMeant = 1 + float(addedMass_) * fluid.share / fluid.massPerArea;
+    const float perMeant = 1 + float(addedMass_) * fluid.fraction / fluid.massPerArea;
     const float wrong = perMeant * meantAlong / (dot(estimate, estimate) + tiny);
     return estimate * (towards * std::min(1.0f, 1 - 2 * follows) * std::min(1.0f, wrong));
 }
@@ -190,26 +190,26 @@ void FluidForces::gatherWater(const Around& around) {
         const auto mass = float(around.mechanics.masses[n]);
         if (!(mass > 0) || !(areas_[n] > 0)) continue;
         const float displacedOverMass = maxDisplaced(n, around) / mass;
-        immerse(n, shareAtEnd(n, displacedOverMass, around), displacedOverMass, around);
+        immerse(n, fractionAtEnd(n, displacedOverMass, around), displacedOverMass, around);
         wet_.push_back(n);
     }
 }
 
 /// Puts a share of a node, as `gather` has left it, under water.
-void FluidForces::immerse(std::size_t node, float share, float displacedOverMass, const Around& around) {
+void FluidForces::immerse(std::size_t node, float fraction, float displacedOverMass, const Around& around) {
     FluidNode& fluid = fluid_[node];
-    fluid.shareBefore = isGoingOn_ ? std::min(fluid.share, share) : share;
-    fluid.share = share;
-    answerLift(node, share * displacedOverMass);
-    if (!(share > 0)) {
+    fluid.fractionBefore = isGoingOn_ ? std::min(fluid.fraction, fraction) : fraction;
+    fluid.fraction = fraction;
+    answerLift(node, fraction * displacedOverMass);
+    if (!(fraction > 0)) {
         meantChanges_[node] = changes_[node] = PackedVector{0, 0, 0, 0};
         return;
     }
-    const float inWater = share * float(waterDensity), inAir = (1 - share) * float(airDensity);
+    const float inWater = fraction * float(waterDensity), inAir = (1 - fraction) * float(airDensity);
     const Eigen::Array4f wind = arrayOf(around.winds[node]), stream = arrayOf(around.water.velocity(node)),
                          moving = wind + (stream - wind) * (inWater / (inWater + inAir));
     velocities_[node] = nodeOf(arrayOf(around.pose.speeds[node]) - moving);
-    fluid.permeability += (float(waterPermeability_) - fluid.permeability) * share;
+    fluid.permeability += (float(waterPermeability_) - fluid.permeability) * fraction;
 }
 
 /// Water whose place a node takes when all of it is under, kg.
@@ -220,21 +220,21 @@ float FluidForces::maxDisplaced(std::size_t node, const Around& around) const {
 
 /// Share of a node under water at the end of the substep, to first order: a lift that is as strong as where the
 /// node has been would make what floats bob ever higher.
-float FluidForces::shareAtEnd(std::size_t node, float displacedOverMass, const Around& around) const {
+float FluidForces::fractionAtEnd(std::size_t node, float displacedOverMass, const Around& around) const {
     const auto dt = float(around.substep), gravity = float(around.pose.gravity);
     const PackedVector up = packed(around.pose.up);
     const float depth =
         around.water.depth(node) -
         dot(arrayOf(around.pose.speeds[node]) - arrayOf(around.water.velocity(node)), arrayOf(up)) * dt;
-    const double share = shareUnderWater(double(depth));
-    if (share == 0 || share == 1) return float(share);
+    const double fraction = submergedFraction(double(depth));
+    if (fraction == 0 || fraction == 1) return float(fraction);
     constexpr double apart = 1e-4;  // m
     const double slope =
-        (shareUnderWater(double(depth) + apart) - shareUnderWater(double(depth) - apart)) / (2 * apart);
+        (submergedFraction(double(depth) + apart) - submergedFraction(double(depth) - apart)) / (2 * apart);
     const float perLift = float(slope) * dt * dt;
     const float falling = -dot(arrayOf(accelerations_[node]), arrayOf(up));  // but for the lift
-    return std::clamp((float(share) + perLift * falling) / (1 + perLift * gravity * displacedOverMass), 0.0f,
-                      1.0f);
+    return std::clamp((float(fraction) + perLift * falling) / (1 + perLift * gravity * displacedOverMass),
+                      0.0f, 1.0f);
 }
 
 /// What holds a node answers any change of its weight at once, as far as it has held it: without knowing that,

@@ -63,7 +63,7 @@ class FluidForces {
     bool isLiftedOtherwise(const Around& around) const;
 
     /// See SheetPose.
-    double floatingShare() const { return floatingShare_; }
+    double floatingFraction() const { return floatingFraction_; }
 
   private:
     friend class BulletPass;
@@ -74,15 +74,15 @@ class FluidForces {
     void gather(const Around& around);
     Eigen::Array4f answered(std::size_t node, const Eigen::Array4f& meant, const Eigen::Array4f& change);
     void gatherWater(const Around& around);
-    void immerse(std::size_t node, float share, float displacedOverMass, const Around& around);
+    void immerse(std::size_t node, float fraction, float displacedOverMass, const Around& around);
     float maxDisplaced(std::size_t node, const Around& around) const;
-    float shareAtEnd(std::size_t node, float displacedOverMass, const Around& around) const;
+    float fractionAtEnd(std::size_t node, float displacedOverMass, const Around& around) const;
     void answerLift(std::size_t node, float lifted);
     void lift(const Around& around);
 
     std::vector<float> areas_;  // of the nodes, m2
     double fibrePerArea_;       // water that the fibre displaces, kg/m2
-    double floatingShare_;      // see SheetPose
+    double floatingFraction_;   // see SheetPose
     double waterPermeability_;  // m/(s Pa)
     double totalArea_;          // m2
     double addedMass_;          // under water, kg/m2

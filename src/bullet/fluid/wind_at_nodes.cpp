@@ -142,8 +142,8 @@ void WindAtNodes::interpolate(const Pose& pose) {
         const PackedVector* const corner =
             &lattice_[static_cast<std::size_t>(cell[0]) + static_cast<std::size_t>(cell[1]) * row +
                       static_cast<std::size_t>(cell[2]) * layer];
-        const auto between = [](const Eigen::Array4f& a, const Eigen::Array4f& b, float share) {
-            return Eigen::Array4f(a + (b - a) * share);
+        const auto between = [](const Eigen::Array4f& a, const Eigen::Array4f& b, float fraction) {
+            return Eigen::Array4f(a + (b - a) * fraction);
         };
         const auto alongRow = [&](std::size_t start) {
             return between(arrayOf(corner[start]), arrayOf(corner[start + 1]), rest[0]);
@@ -190,13 +190,13 @@ void WindAtNodes::shelter(double step) {
     const double towards = 1 - std::exp(-step / shelterTime);
     isSheltered_ = false;
     for (Patch& patch : patches_) {
-        patch.share += (patch.passing - patch.share) * towards;
-        if (patch.passing >= 1 && patch.share > allButAll) patch.share = 1;
-        if (!(patch.share < 1)) continue;
+        patch.fraction += (patch.passing - patch.fraction) * towards;
+        if (patch.passing >= 1 && patch.fraction > allButAll) patch.fraction = 1;
+        if (!(patch.fraction < 1)) continue;
         isSheltered_ = true;
-        const float share = float(patch.share);
+        const float fraction = float(patch.fraction);
         for (const std::size_t node : patch.nodes)
-            velocities_[node] = nodeOf(arrayOf(velocities_[node]) * share);
+            velocities_[node] = nodeOf(arrayOf(velocities_[node]) * fraction);
     }
     if (!isSheltered_) return;
     isUniform_ = false;

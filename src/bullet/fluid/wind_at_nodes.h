@@ -50,9 +50,9 @@ class WindAtNodes {
     /// Nodes that are next to each other, and what is upwind of them.
     struct Patch {
         std::vector<std::size_t> nodes;
-        std::size_t middle;  // node that the ray starts from
-        double passing = 1;  // share of the wind that would pass if it stayed as it is
-        double share = 1;    // that passes, 1
+        std::size_t middle;   // node that the ray starts from
+        double passing = 1;   // share of the wind that would pass if it stayed as it is
+        double fraction = 1;  // that passes, 1
     };
 
     void fill(const Eigen::Vector3d& wind);

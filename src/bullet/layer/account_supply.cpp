@@ -25,9 +25,9 @@ void AccountSupply::addFilm(std::size_t node, double mass, const Eigen::Vector3d
     checkVelocity("for", node, velocity);
     sheet_.moisture.addFilm(node, mass, account_);
     Arrival& arrival = sheet_.arrivals[node];
-    arrival.carried += mass * (1 - momentumShare_);
-    arrival.mass += mass * momentumShare_;
-    arrival.momentum += toBullet(velocity * mass * momentumShare_);
+    arrival.carried += mass * (1 - momentumFraction_);
+    arrival.mass += mass * momentumFraction_;
+    arrival.momentum += toBullet(velocity * mass * momentumFraction_);
     if (mass > 0 && !velocity.isZero()) wake();
     count(mass);
 }
@@ -56,8 +56,8 @@ double AccountSupply::takePores(std::size_t node, double mass) {
     return taken;
 }
 
-void AccountSupply::cover(std::size_t node, double share) {
-    sheet_.moisture.cover(node, share);
+void AccountSupply::cover(std::size_t node, double fraction) {
+    sheet_.moisture.cover(node, fraction);
 }
 
 void AccountSupply::submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) {

@@ -28,21 +28,21 @@ class AccountSupply final : public Supply {
         btSoftBody& body;
         const BodyWatch& watch;
     };
-    /// @param momentumShare  of arriving water that pushes the body: 1 / waterSpeed for a source that runs in
+    /// @param momentumFraction  of arriving water that pushes the body: 1 / waterSpeed for a source that runs in
     ///     water time, since the body is hit by so much less in its own time
     /// @param noticeable     water beyond which the body wakes, kg; what comes flying always wakes it
-    AccountSupply(const Sheet& sheet, std::size_t account, double momentumShare, double noticeable)
-        : sheet_(sheet), account_(account), momentumShare_(momentumShare), noticeable_(noticeable) {}
+    AccountSupply(const Sheet& sheet, std::size_t account, double momentumFraction, double noticeable)
+        : sheet_(sheet), account_(account), momentumFraction_(momentumFraction), noticeable_(noticeable) {}
 
     /// As in the constructor, from now on.
-    void setMomentumShare(double momentumShare) { momentumShare_ = momentumShare; }
+    void setMomentumFraction(double momentumFraction) { momentumFraction_ = momentumFraction; }
 
     void addFilm(std::size_t node, double mass, const Eigen::Vector3d& velocity) override;
     void addFilm(std::size_t node, double mass) override;
     void addPores(std::size_t node, double mass) override;
     double takeFilm(std::size_t node, double mass) override;
     double takePores(std::size_t node, double mass) override;
-    void cover(std::size_t node, double share) override;
+    void cover(std::size_t node, double fraction) override;
     void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) override;
 
   private:
@@ -54,7 +54,7 @@ class AccountSupply final : public Supply {
 
     Sheet sheet_;
     std::size_t account_;
-    double momentumShare_;
+    double momentumFraction_;
     double noticeable_;     // kg
     double unnoticed_ = 0;  // water that has come and gone since it last woke the body, kg
 };

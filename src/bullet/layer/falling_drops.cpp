@@ -67,7 +67,7 @@ struct SavedDrops {
     struct Flying {
         FallingDrops::Flight flight;
         Eigen::Vector3d origin;
-        double momentumShare;
+        double momentumFraction;
         std::int32_t sheet;  // place among the sheets; -1 for one that has ended
     };
 
@@ -80,7 +80,7 @@ struct SavedDrops {
             pass.number(each.flight.count, 0);
             pass.number(each.flight.age, 0, longestFall);
             pass.vector(each.origin);
-            pass.number(each.momentumShare, 0, 1);
+            pass.number(each.momentumFraction, 0, 1);
             pass.number(each.sheet, -1);
         });
     }
@@ -99,8 +99,8 @@ struct FallingDrops::Origins {
     /// Where a flight began.
     struct Origin {
         Eigen::Vector3d position;
-        const void* sheet;     // its layer, to be compared only
-        double momentumShare;  // that lands with it; see WetCloth::Layer::add
+        const void* sheet;        // its layer, to be compared only
+        double momentumFraction;  // that lands with it; see WetCloth::Layer::add
     };
     std::vector<Origin> all;
 };
@@ -166,7 +166,8 @@ void FallingDrops::save(StateWriter& writer) const {
     SavedDrops saved{massOnSheets_, massElsewhere_, massLost_, {}};
     for (std::size_t i = 0; i < flights_.size(); ++i) {
         const Origins::Origin& origin = origins_->all[i];
-        saved.all.push_back({flights_[i], origin.position, origin.momentumShare, sheetIndexOf(origin.sheet)});
+        saved.all.push_back(
+            {flights_[i], origin.position, origin.momentumFraction, sheetIndexOf(origin.sheet)});
     }
     StatePass pass(writer);
     pass.part(saved);
@@ -185,7 +186,7 @@ void FallingDrops::load(StateReader& reader) {
                                        "; add the same sheets in the same order");
         const void* const sheet = each.sheet < 0 ? nullptr : sheets_->all[index].lock().get();
         flights.push_back(each.flight);
-        origins.all.push_back({each.origin, sheet, each.momentumShare});
+        origins.all.push_back({each.origin, sheet, each.momentumFraction});
     }
     flights_ = std::move(flights);
     *origins_ = std::move(origins);
@@ -224,8 +225,8 @@ bool FallingDrops::land(std::size_t i, const Eigen::Vector3d& to) {
             const auto node = static_cast<std::size_t>(
                 indexOf(wetted->body, wetted->body.m_faces[landing.face].m_n[corner]));
             const double here = mass * landing.weights[corner];
-            drops.addFilm(node, here * origin.momentumShare, flight.velocity);
-            drops.addFilm(node, here * (1 - origin.momentumShare));
+            drops.addFilm(node, here * origin.momentumFraction, flight.velocity);
+            drops.addFilm(node, here * (1 - origin.momentumFraction));
         }
         massOnSheets_ += mass;
         return true;

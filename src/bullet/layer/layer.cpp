@@ -27,7 +27,7 @@ double checkedWaterSpeed(const char* name, double waterSpeed) {
 
 /// Of arriving water, the part that pushes the body: it is hit by the water of its own time only, however much more
 /// the sheet takes up meanwhile.
-double momentumShare(double waterSpeed) {
+double momentumFraction(double waterSpeed) {
     return std::min(1.0, 1 / waterSpeed);
 }
 
@@ -167,7 +167,7 @@ SheetPose WetCloth::Layer::sheetPose() const {
             totalArea,
             shelter,
             &body,
-            fluidForces.floatingShare()};
+            fluidForces.floatingFraction()};
 }
 
 void WetCloth::Layer::add(std::unique_ptr<Source> source) {
@@ -186,7 +186,7 @@ void WetCloth::Layer::add(std::unique_ptr<Source> source) {
     const double noticeable = 1e-3 * laws.mass(totalArea, 0);
     auto supply =
         std::make_unique<AccountSupply>(AccountSupply::Sheet{moisture, arrivals, submersion, body, watch},
-                                        number, momentumShare(waterSpeed), noticeable);
+                                        number, momentumFraction(waterSpeed), noticeable);
     suppliers.push_back({std::move(source), std::move(supply)});
 }
 
@@ -202,7 +202,7 @@ void WetCloth::Layer::remove(const Source& source) {
 
 void WetCloth::Layer::setWaterSpeed(double speed) {
     waterSpeed = checkedWaterSpeed("the water speed", speed);
-    for (Supplier& supplier : suppliers) supplier.supply->setMomentumShare(momentumShare(speed));
+    for (Supplier& supplier : suppliers) supplier.supply->setMomentumFraction(momentumFraction(speed));
 }
 
 void WetCloth::Layer::forgetRemoved() {

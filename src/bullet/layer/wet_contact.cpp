@@ -34,14 +34,14 @@ void WetBody::supply(const SheetPose& sheet, double dt, Supply& supply) {
     if (!(amount >= 0)) checkRange("WetBody::amount", amount, "kg", 0, 1e6);
     if (!sheet.body) return;
     const auto& body = *static_cast<const btSoftBody*>(sheet.body);
-    const double share = -std::expm1(-dt / filmTime);
+    const double fraction = -std::expm1(-dt / filmTime);
     forEachSolidContact(body, [&](const btSoftBody::Node* touching, const btSoftBody::sCti& contact) {
         if (contact.m_colObj != body_ || !isNodeOf(body, touching)) return;
         const auto node = static_cast<std::size_t>(indexOf(body, touching));
         if (!(sheet.mesh.areas[node] > 0)) return;
         const double ofOneFace = sheet.filmMass[node] / 2;
         const double missing = waterDensity * sheet.mesh.areas[node] * filmThickness - ofOneFace;
-        const double mass = std::min(std::max(missing, 0.0) * share, amount);
+        const double mass = std::min(std::max(missing, 0.0) * fraction, amount);
         supply.addFilm(node, mass);
         amount -= mass;
     });
@@ -61,8 +61,8 @@ struct Touch::Exchange {
     WetCloth::Layer& there;
     Supply& supplyHere;
     Supply& supplyThere;
-    double poreShare;  // of what would even them out, in this step
-    double filmShare;
+    double poreFraction;  // of what would even them out, in this step
+    double filmFraction;
 
     void pass(const Pair& pair, double weight) {
         const double areaHere = here.mesh.areas[pair.here], areaThere = there.mesh.areas[pair.there];
@@ -79,7 +79,7 @@ struct Touch::Exchange {
     }
 
     void passPores(const Pair& pair, double surplus) {
-        const double mass = std::abs(surplus) * poreShare;
+        const double mass = std::abs(surplus) * poreFraction;
         if (surplus > 0)
             supplyThere.addPores(pair.there, supplyHere.takePores(pair.here, mass));
         else
@@ -87,7 +87,7 @@ struct Touch::Exchange {
     }
 
     void passFilm(const Pair& pair, double surplus) {
-        const double mass = std::abs(surplus) * filmShare;
+        const double mass = std::abs(surplus) * filmFraction;
         if (surplus > 0)
             supplyThere.addFilm(pair.there, supplyHere.takeFilm(pair.here, mass));
         else

@@ -36,14 +36,14 @@ void pushFace(FluidForce* forces, const FaceBlock& block, const PackedVector* po
     meanOf(acceleration, accelerations[a], accelerations[b], accelerations[c]);
     FluidNode mean = {0, 0, 0, 0};
     for (const std::int32_t node : nodes) {
-        mean.share += fluid[node].share * third;
-        mean.shareBefore += fluid[node].shareBefore * third;
+        mean.fraction += fluid[node].fraction * third;
+        mean.fractionBefore += fluid[node].fractionBefore * third;
         mean.massPerArea += fluid[node].massPerArea * third;
         mean.permeability += fluid[node].permeability * third;
     }
     const float mass = mean.massPerArea * block.restArea[lane], max = laws.addedMass * block.restArea[lane],
-                added = mean.share * max, both = mass + added, before = mass + mean.shareBefore * max;
-    const float density = laws.airDensity + (laws.waterDensity - laws.airDensity) * mean.share;
+                added = mean.fraction * max, both = mass + added, before = mass + mean.fractionBefore * max;
+    const float density = laws.airDensity + (laws.waterDensity - laws.airDensity) * mean.fraction;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         through += velocity[axis] * normal[axis];
         pulled += acceleration[axis] * normal[axis];
@@ -62,9 +62,9 @@ void pushFace(FluidForce* forces, const FaceBlock& block, const PackedVector* po
     const float across =
         mass / (both + tiny) * (dragAcross + added * pulled + (both - before) * through / laws.substep);
     const float speedAlong = std::sqrt(alongSquared);
-    const float share =
+    const float fraction =
         2 * mass / (mass + std::sqrt(mass * mass + 4 * mass * shear * laws.substep * speedAlong) + tiny);
-    const float along = shear * speedAlong * share * share;
+    const float along = shear * speedAlong * fraction * fraction;
     float force[3];
     for (std::size_t axis = 0; axis < 3; ++axis)
         force[axis] = -third * (normal[axis] * across + next[axis] * along);

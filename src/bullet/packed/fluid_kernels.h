@@ -16,10 +16,10 @@ struct alignas(32) FaceBlock {
 
 /// A node in air and water.
 struct alignas(16) FluidNode {
-    float share;         // that is under water, 0 to 1
-    float shareBefore;   // that was in the last substep, at most that of now
-    float massPerArea;   // of the cloth with its water, kg/m2
-    float permeability;  // speed of the fluid through the cloth per pressure, m/(s Pa)
+    float fraction;        // that is under water, 0 to 1
+    float fractionBefore;  // that was in the last substep, at most that of now
+    float massPerArea;     // of the cloth with its water, kg/m2
+    float permeability;    // speed of the fluid through the cloth per pressure, m/(s Pa)
 };
 
 /// Acceleration of a node by everything but drag and added mass, m/s2.

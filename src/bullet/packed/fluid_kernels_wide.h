@@ -74,8 +74,8 @@ static void pushByFluid(FluidForce* forces, const FaceBlock* blocks, const Packe
         squareRoot(alongSpeed);
         root = mass * mass + 4 * mass * shear * dt * alongSpeed;
         squareRoot(root);
-        const Eight share = 2 * mass / (mass + root + tiny);
-        const Eight byAlong = -third * shear * alongSpeed * share * share;
+        const Eight fraction = 2 * mass / (mass + root + tiny);
+        const Eight byAlong = -third * shear * alongSpeed * fraction * fraction;
         const Vector force = {normal.x * byAcross + along.x * byAlong,
                               normal.y * byAcross + along.y * byAlong,
                               normal.z * byAcross + along.z * byAlong};

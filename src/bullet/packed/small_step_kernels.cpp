@@ -43,8 +43,8 @@ void prepareLinks(LinkBlock* blocks, const float* dry, const MovingNode* start, 
                 dry[i * blockWidth + lane] * 0.5f * (ratios[first].stretch + ratios[second].stretch);
             const float constant =
                 linkDivisor(from.inverseMass + to.inverseMass, 1 / (stiffness * smallStepSquared));
-            block.firstShare[lane] = from.inverseMass / constant;
-            block.secondShare[lane] = to.inverseMass / constant;
+            block.firstFraction[lane] = from.inverseMass / constant;
+            block.secondFraction[lane] = to.inverseMass / constant;
         }
     }
 }
@@ -60,8 +60,8 @@ void solveLinks(MovingNode* moved, const LinkBlock* blocks, std::size_t count) {
             const float y = block.alongY[lane] + (to.y - from.y);
             const float z = block.alongZ[lane] + (to.z - from.z);
             const float stretch = 1 - block.restLength[lane] / std::sqrt(x * x + y * y + z * z + tiny);
-            addTo(from, x, y, z, stretch * block.firstShare[lane]);
-            addTo(to, x, y, z, -stretch * block.secondShare[lane]);
+            addTo(from, x, y, z, stretch * block.firstFraction[lane]);
+            addTo(to, x, y, z, -stretch * block.secondFraction[lane]);
         }
     }
 }
@@ -93,7 +93,7 @@ void takeBack(MovingNode* nodes, const MovingNode* masses, const Components& com
         float sum[3] = {};
         for (std::size_t m = 0; m < 3; ++m)
             for (std::size_t axis = 0; axis < 3; ++axis)
-                sum[axis] += weights.of[m][k][lane] * block.share[m][lane] * components.of[m][axis];
+                sum[axis] += weights.of[m][k][lane] * block.fraction[m][lane] * components.of[m][axis];
         addTo(nodes[node], sum[0], sum[1], sum[2], -masses[node].inverseMass);
     }
 }
@@ -134,7 +134,7 @@ void share(PlateBlock& block, const PlateWeights& weights, const MovingNode* sta
         all += response[m];
     }
     for (std::size_t m = 0; m < 3; ++m)
-        block.share[m][lane] = plateShare(response[m], all, compliance, every);
+        block.fraction[m][lane] = plateFraction(response[m], all, compliance, every);
 }
 
 float meanOfCorners(const NodeRatios* ratios, float NodeRatios::*ratio, const PlateBlock& block,

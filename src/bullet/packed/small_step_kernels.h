@@ -18,7 +18,8 @@ struct alignas(32) LinkBlock {
     std::int32_t first[blockWidth], second[blockWidth];
     float alongX[blockWidth], alongY[blockWidth], alongZ[blockWidth];  // as the substep began, m
     float restLength[blockWidth];                                      // m
-    float firstShare[blockWidth], secondShare[blockWidth];  // of a stretch that the nodes take back, 0 to 1
+    float firstFraction[blockWidth],
+        secondFraction[blockWidth];  // of a stretch that the nodes take back, 0 to 1
 };
 
 /// Weights of eight plates: of the positions of six nodes in three components of the curvature, 1/m2.
@@ -29,7 +30,8 @@ struct alignas(32) PlateWeights {
 /// Eight plates.
 struct alignas(32) PlateBlock {
     std::int32_t nodes[6][blockWidth];
-    float share[3][blockWidth];  // of each component that is taken back, over the weights and inverse masses
+    float fraction[3]
+                  [blockWidth];  // of each component that is taken back, over the weights and inverse masses
     std::int32_t weights;        // which of the weights
 };
 
@@ -69,7 +71,7 @@ static inline float linkDivisor(float inverseMass, float compliance) {
 /// A plate whose moments stand for n small steps moves its nodes in each of them by the n-th part of the n-th
 /// part of what would put it right: n steps of so much more speed each come to the whole.
 /// @param compliance   1 / (rigidity x area x (n h)^2)
-static inline float plateShare(float response, float all, float compliance, float every) {
+static inline float plateFraction(float response, float all, float compliance, float every) {
     const float soft = 0.5f * response + compliance;
     return 1 / ((soft > all ? soft : all) * every * every);
 }

@@ -37,8 +37,8 @@ static void prepareLinks(LinkBlock* blocks, const float* dry, const MovingNode* 
         const Eight mass = firstMass + secondMass;
         for (std::size_t lane = 0; lane < blockWidth; ++lane) {
             const float constant = linkDivisor(mass[lane], compliance[lane]);
-            block.firstShare[lane] = firstMass[lane] / constant;
-            block.secondShare[lane] = secondMass[lane] / constant;
+            block.firstFraction[lane] = firstMass[lane] / constant;
+            block.secondFraction[lane] = secondMass[lane] / constant;
         }
     }
 }
@@ -62,8 +62,8 @@ static void solveLinks(MovingNode* moved, const LinkBlock* blocks, std::size_t c
         Eight length = along.x * along.x + along.y * along.y + along.z * along.z + tiny;
         squareRoot(length);
         const Eight stretch = 1 - eight(block.restLength) / length;
-        const Eight forward = stretch * eight(block.firstShare);
-        const Eight back = -stretch * eight(block.secondShare);
+        const Eight forward = stretch * eight(block.firstFraction);
+        const Eight back = -stretch * eight(block.secondFraction);
         store(moved, block.first, from, {along.x * forward, along.y * forward, along.z * forward});
         store(moved, block.second, to, {along.x * back, along.y * back, along.z * back});
     }
@@ -88,18 +88,19 @@ DRENCH_INLINE void curvature(Vector* components, Eight* inverseMass, const Movin
 /// Moves six nodes against what is left of the components.
 DRENCH_INLINE void takeBack(MovingNode* nodes, const Vector* components, const Eight* inverseMass,
                             const PlateBlock& block, const PlateWeights& weights) {
-    Vector shares[3];
+    Vector fractions[3];
     for (std::size_t m = 0; m < 3; ++m) {
-        const Eight share = eight(block.share[m]);
-        shares[m] = Vector{components[m].x * share, components[m].y * share, components[m].z * share};
+        const Eight fraction = eight(block.fraction[m]);
+        fractions[m] =
+            Vector{components[m].x * fraction, components[m].y * fraction, components[m].z * fraction};
     }
     for (std::size_t k = 0; k < 6; ++k) {
         Vector sum = {};
         for (std::size_t m = 0; m < 3; ++m) {
             const Eight weight = eight(weights.of[m][k]);
-            sum.x += weight * shares[m].x;
-            sum.y += weight * shares[m].y;
-            sum.z += weight * shares[m].z;
+            sum.x += weight * fractions[m].x;
+            sum.y += weight * fractions[m].y;
+            sum.z += weight * fractions[m].z;
         }
         const Eight by = -inverseMass[k];
         add(nodes, block.nodes[k], {sum.x * by, sum.y * by, sum.z * by});
@@ -154,7 +155,7 @@ DRENCH_INLINE void slide(Eight* moments, PlateState& state, const Eight* bent, c
     }
 }
 
-/// Shares of the components that one sweep takes back; see plateShare.
+/// Shares of the components that one sweep takes back; see plateFraction.
 DRENCH_INLINE void share(PlateBlock& block, const PlateWeights& weights, const Eight* inverseMass,
                          const Eight& compliance, float every) {
     Eight response[3], all = {};
@@ -166,7 +167,7 @@ DRENCH_INLINE void share(PlateBlock& block, const PlateWeights& weights, const E
     }
     for (std::size_t m = 0; m < 3; ++m)
         for (std::size_t lane = 0; lane < blockWidth; ++lane)
-            block.share[m][lane] = plateShare(response[m][lane], all[lane], compliance[lane], every);
+            block.fraction[m][lane] = plateFraction(response[m][lane], all[lane], compliance[lane], every);
 }
 
 static void preparePlates(MovingNode* push, PlateBlock* blocks, PlateState* states,

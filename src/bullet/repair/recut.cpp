@@ -146,11 +146,11 @@ class Recutter {
                 weights[corner] = 1;
                 return weights;
             }
-        return sharesOf(positionOf(node), face);
+        return weightsOf(positionOf(node), face);
     }
 
     /// Of the corners of an old face, in its plane; outside of it some are below 0.
-    Weights sharesOf(const btVector3& position, std::size_t face) const {
+    Weights weightsOf(const btVector3& position, std::size_t face) const {
         const Triangle& corners = old_.triangles[face];
         const Eigen::Vector3d origin = toEigen(positionOf(corners[0]));
         Eigen::Matrix<double, 3, 2> sides;

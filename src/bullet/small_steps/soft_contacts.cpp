@@ -95,7 +95,7 @@ bool SoftContacts::rises(Found& found, const Found& nearest) {
 
 void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int steps) {
     substep_ = btScalar(substep);
-    share_ = 1 / btScalar(steps);
+    fraction_ = 1 / btScalar(steps);
     isFirstStep_ = true;
     contacts_.clear();
     guests_.clear();
@@ -209,7 +209,7 @@ std::size_t SoftContacts::guestOf(btSoftBody::Node& node, bool isAwake) {
 void SoftContacts::advance() {
     for (Guest& guest : guests_) {
         // It goes on with what pushes have given it.
-        const btVector3 step = isFirstStep_ ? guest.own * share_ : vectorOf(guest.moved) - guest.before;
+        const btVector3 step = isFirstStep_ ? guest.own * fraction_ : vectorOf(guest.moved) - guest.before;
         guest.before = vectorOf(guest.moved);
         shift(guest.moved, step);
     }
@@ -269,7 +269,7 @@ void SoftContacts::finish(const std::vector<Sheet>& sheets) {
         const btVector3 moved = vectorOf(guest.moved);
         if (!(guest.moved.inverseMass > 0) || !std::isfinite(moved.x() + moved.y() + moved.z())) continue;
         guest.node->m_x = guest.start + moved;
-        guest.node->m_v += (moved - guest.before - guest.own * share_) / (substep_ * share_);
+        guest.node->m_v += (moved - guest.before - guest.own * fraction_) / (substep_ * fraction_);
     }
 }
 

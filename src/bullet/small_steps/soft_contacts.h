@@ -91,7 +91,7 @@ class SoftContacts {
     std::deque<Guest> guests_;       // stay where they are
     std::vector<int> nearest_;       // contact of each node of a sheet; -1 for none
     btScalar substep_ = 0;           // s
-    btScalar share_ = 0;             // of a small step in the substep
+    btScalar fraction_ = 0;          // of a small step in the substep
     bool isFirstStep_ = true;
 };
 

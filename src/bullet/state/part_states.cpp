@@ -26,8 +26,8 @@ void FluidForces::state(BulletPass& pass) {
     pass.nodes(forces_, count);
     for (auto* nodes : {&lastVelocities_, &meantChanges_, &changes_}) pass.nodes(*nodes, count);
     for (std::size_t n = 0; n < count; ++n) {
-        pass.number(fluid_[n].share, 0, 1);
-        pass.number(fluid_[n].shareBefore, 0, 1);
+        pass.number(fluid_[n].fraction, 0, 1);
+        pass.number(fluid_[n].fractionBefore, 0, 1);
         pass.number(fluid_[n].massPerArea, 0);
         pass.number(fluid_[n].permeability, 0);
     }
@@ -110,7 +110,7 @@ void WindAtNodes::state(BulletPass& pass) {
     }
     for (Patch& patch : patches_) {
         pass.number(patch.passing, 0, 1);
-        pass.number(patch.share, 0, 1);
+        pass.number(patch.fraction, 0, 1);
     }
     pass.index(nextRay_, patches_.empty() ? 0 : patches_.size() - 1);
     pass.flag(isSheltered_);
