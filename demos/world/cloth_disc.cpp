@@ -19,9 +19,9 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 /// Sine of the smallest angle, below 0 for a triangle that lies on its face.
 double quality(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
     const double doubledArea = cross(b - a, c - a);
-    const double sides[] = {(b - a).norm(), (c - b).norm(), (a - c).norm()};
-    const double shortest = *std::min_element(std::begin(sides), std::end(sides));
-    const double product = sides[0] * sides[1] * sides[2];
+    const double edges[] = {(b - a).norm(), (c - b).norm(), (a - c).norm()};
+    const double shortest = *std::min_element(std::begin(edges), std::end(edges));
+    const double product = edges[0] * edges[1] * edges[2];
     return product > 0 ? doubledArea * shortest / product : -1;
 }
 
@@ -183,7 +183,7 @@ DiscMesh discMesh(double radius, int nodesAcross, double innerRadius) {
     Strip(mesh, border, rim).fill();
     moveOnto(mesh, innerRadius, 0.3 * cell);
     const auto edges =
-        sidesOf(TriangleMesh{std::vector<Eigen::Vector3d>(mesh.nodes.size()), mesh.triangles, {}});
+        edgesOf(TriangleMesh{std::vector<Eigen::Vector3d>(mesh.nodes.size()), mesh.triangles, {}});
     mesh.links.insert(mesh.links.end(), edges.begin(), edges.end());
     return mesh;
 }

@@ -26,7 +26,7 @@ struct Corners {
 };
 
 /// Corners of a parallelogram, from one corner and the vectors along its two sides, m.
-DRENCH_API Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const btVector3& weftSide);
+DRENCH_API Corners flatCorners(const btVector3& origin, const btVector3& warpEdge, const btVector3& weftEdge);
 
 /// Makes a grid of nodesWarp x nodesWeft nodes. Node (i, j) has index i + j nodesWarp; nodes are evenly spaced.
 ///

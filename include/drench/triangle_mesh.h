@@ -29,7 +29,7 @@ DRENCH_API void validate(const TriangleMesh& mesh);
 
 /// All edges of a mesh, each once: two node indices, the lower one first, in ascending order.
 /// @throws std::out_of_range for a node index out of range
-DRENCH_API std::vector<std::array<int, 2>> sidesOf(const TriangleMesh& mesh);
+DRENCH_API std::vector<std::array<int, 2>> edgesOf(const TriangleMesh& mesh);
 
 /// Material coordinates from texture coordinates, for SheetSettings::faceCoordinates: each triangle is laid flat in its
 /// true size, with the warp along the gradient of texture coordinate u. The texture may be in any unit, stretched or

@@ -37,9 +37,9 @@ void checkTriangle(const ClothMesh& mesh, std::size_t t) {
 }  // namespace
 
 double triangleArea(const std::array<Eigen::Vector2d, 3>& corners) {
-    Eigen::Matrix2d sides;
-    sides << corners[1] - corners[0], corners[2] - corners[0];
-    return 0.5 * std::abs(sides.determinant());
+    Eigen::Matrix2d edges;
+    edges << corners[1] - corners[0], corners[2] - corners[0];
+    return 0.5 * std::abs(edges.determinant());
 }
 
 ClothMesh flatMesh(const std::vector<Eigen::Vector2d>& coordinates,

@@ -7,7 +7,7 @@ namespace {
 /// An edge of a triangle, at its lower node.
 struct FromLower {
     int upper;  // node
-    EdgeTriangle side;
+    EdgeTriangle edge;
 };
 
 CompressedRows<FromLower> edgesByLowerNode(const std::vector<std::array<int, 3>>& triangles,
@@ -36,7 +36,7 @@ MeshEdges::MeshEdges(const std::vector<std::array<int, 3>>& triangles, std::size
         for (std::size_t i = 0; i < sorted.size(); ++i) {
             if (i == 0 || sorted[i].upper != sorted[i - 1].upper)
                 ends_.push_back({static_cast<int>(lower), sorted[i].upper});
-            edgeOpposite_[sorted[i].side.triangle][sorted[i].side.apex] = ends_.size() - 1;
+            edgeOpposite_[sorted[i].edge.triangle][sorted[i].edge.apex] = ends_.size() - 1;
         }
     }
     triangles_ = {ends_.size(), [&](const auto& add) {

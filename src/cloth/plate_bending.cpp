@@ -16,23 +16,23 @@ namespace {
 /// on irregular meshes bend right within some percent: below they are too soft, above too stiff.
 constexpr double leaning = 0.4;
 
-/// A triangle as seen from one of its sides.
-struct Side {
+/// A triangle as seen from one of its edges.
+struct TriangleEdge {
     std::size_t triangle;
-    std::size_t apex, from, to;  // corners; the side runs from its lower node to its higher
-    double height;               // of the apex over the side, m
-    double foot;                 // of that height, as a share of the way along the side
+    std::size_t apex, from, to;  // corners; the edge runs from its lower node to its higher
+    double height;               // of the apex over the edge, m
+    double foot;                 // of that height, as a share of the way along the edge
 };
 
-Side sideOf(const ClothMesh& mesh, std::size_t triangle, std::size_t apex) {
+TriangleEdge edgeOf(const ClothMesh& mesh, std::size_t triangle, std::size_t apex) {
     const auto& corners = mesh.coordinates[triangle];
-    Side side{triangle, apex, (apex + 1) % 3, (apex + 2) % 3, 0, 0};
+    TriangleEdge edge{triangle, apex, (apex + 1) % 3, (apex + 2) % 3, 0, 0};
     const auto& nodes = mesh.triangles[triangle];
-    if (nodes[side.from] > nodes[side.to]) std::swap(side.from, side.to);
-    const Eigen::Vector2d along = corners[side.to] - corners[side.from];
-    side.height = 2 * triangleArea(corners) / along.norm();
-    side.foot = (corners[apex] - corners[side.from]).dot(along) / along.squaredNorm();
-    return side;
+    if (nodes[edge.from] > nodes[edge.to]) std::swap(edge.from, edge.to);
+    const Eigen::Vector2d along = corners[edge.to] - corners[edge.from];
+    edge.height = 2 * triangleArea(corners) / along.norm();
+    edge.foot = (corners[apex] - corners[edge.from]).dot(along) / along.squaredNorm();
+    return edge;
 }
 
 /// Symmetric tensors as vectors of the same length.
@@ -42,19 +42,19 @@ Eigen::Vector3d square(const Eigen::Vector2d& v) {
 
 /// What the jumps of the slope tell of a triangle's curvature.
 struct Jumps {
-    /// Row per side: length of the side x jump of the slope across it, as weights of the six nodes.
+    /// Row per edge: length of the edge x jump of the slope across it, as weights of the six nodes.
     Eigen::Matrix<double, 3, 6> ofNodes = Eigen::Matrix<double, 3, 6>::Zero();
     Eigen::Matrix3d ofCurvature = Eigen::Matrix3d::Zero();  ///< the same for an even curvature, m2
-    Eigen::Matrix3d balanced = Eigen::Matrix3d::Zero();  ///< the weights of Onate and Zarate, column per side
-    Eigen::Matrix3d told = Eigen::Matrix3d::Identity();  ///< takes off curvature across free sides
-    int sides = 0;                                       ///< that have a neighbour
+    Eigen::Matrix3d balanced = Eigen::Matrix3d::Zero();  ///< the weights of Onate and Zarate, column per edge
+    Eigen::Matrix3d told = Eigen::Matrix3d::Identity();  ///< takes off curvature across free edges
+    int edges = 0;                                       ///< that have a neighbour
 };
 
 Jumps jumpsOf(const ClothMesh& mesh, const MeshEdges& edges, std::size_t triangle, PlateElement& element) {
     Jumps jumps;
     const auto& corners = mesh.coordinates[triangle];
     for (std::size_t apex = 0; apex < 3; ++apex) {
-        const Side own = sideOf(mesh, triangle, apex);
+        const TriangleEdge own = edgeOf(mesh, triangle, apex);
         const Eigen::Vector2d& from = corners[own.from];
         const Eigen::Vector2d along = corners[own.to] - from;
         const Eigen::Vector2d outward = (from + own.foot * along - corners[apex]).normalized();
@@ -64,8 +64,8 @@ Jumps jumpsOf(const ClothMesh& mesh, const MeshEdges& edges, std::size_t triangl
             jumps.told -= free * free.transpose();
             continue;
         }
-        const Side other = sideOf(mesh, neighbour->triangle, neighbour->apex);
-        ++jumps.sides;
+        const TriangleEdge other = edgeOf(mesh, neighbour->triangle, neighbour->apex);
+        ++jumps.edges;
         const std::size_t far = 3 + apex;
         element.nodes[far] = mesh.triangles[other.triangle][other.apex];
 
@@ -89,7 +89,7 @@ Jumps jumpsOf(const ClothMesh& mesh, const MeshEdges& edges, std::size_t triangl
     return jumps;
 }
 
-/// Curvature for each jump, column per side: of all weights W those for which |W ofCurvature - 1|^2 +
+/// Curvature for each jump, column per edge: of all weights W those for which |W ofCurvature - 1|^2 +
 /// leaning |W - balanced|^2 is least, each jump in units of what an even curvature makes of it.
 Eigen::Matrix3d compromise(const Jumps& jumps) {
     Eigen::Vector3d unit = jumps.ofCurvature.rowwise().norm();
@@ -131,7 +131,7 @@ std::vector<PlateElement> plateElements(const ClothMesh& mesh) {
         element.nodes = {corners[0], corners[1], corners[2], -1, -1, -1};
         element.area = triangleArea(mesh.coordinates[triangle]);
         const Jumps jumps = jumpsOf(mesh, edges, triangle, element);
-        if (jumps.sides == 0) continue;
+        if (jumps.edges == 0) continue;
         const Eigen::Matrix<double, 3, 6> weights = compromise(jumps) * jumps.ofNodes;
         for (std::size_t m = 0; m < 3; ++m)
             for (std::size_t k = 0; k < 6; ++k)

@@ -75,19 +75,19 @@ void checkTexture(const TriangleMesh& mesh) {
                        " are not finite; give finite numbers");
 }
 
-/// A triangle laid flat, its first side along x.
+/// A triangle laid flat, its first edge along x.
 std::array<Eigen::Vector2d, 3> flat(const std::array<Eigen::Vector3d, 3>& corners) {
-    const Eigen::Vector3d along = (corners[1] - corners[0]).normalized(), side = corners[2] - corners[0];
-    const double foot = side.dot(along);
+    const Eigen::Vector3d along = (corners[1] - corners[0]).normalized(), edge = corners[2] - corners[0];
+    const double foot = edge.dot(along);
     return {Eigen::Vector2d(0, 0), Eigen::Vector2d((corners[1] - corners[0]).norm(), 0),
-            Eigen::Vector2d(foot, (side - foot * along).norm())};
+            Eigen::Vector2d(foot, (edge - foot * along).norm())};
 }
 
-/// Of a triangle's sides from its first corner, as columns.
-Eigen::Matrix2d sidesOf(const std::array<Eigen::Vector2d, 3>& corners) {
-    Eigen::Matrix2d sides;
-    sides << corners[1] - corners[0], corners[2] - corners[0];
-    return sides;
+/// Of a triangle's edges from its first corner, as columns.
+Eigen::Matrix2d edgesOf(const std::array<Eigen::Vector2d, 3>& corners) {
+    Eigen::Matrix2d edges;
+    edges << corners[1] - corners[0], corners[2] - corners[0];
+    return edges;
 }
 
 }  // namespace
@@ -101,12 +101,12 @@ void validate(const TriangleMesh& mesh) {
     checkTexture(mesh);
 }
 
-std::vector<std::array<int, 2>> sidesOf(const TriangleMesh& mesh) {
+std::vector<std::array<int, 2>> edgesOf(const TriangleMesh& mesh) {
     for (const auto& triangle : mesh.triangles)
         for (std::size_t k = 0; k < 3; ++k) {
             const int a = triangle[k], b = triangle[(k + 1) % 3];
             if (std::min(a, b) < 0 || static_cast<std::size_t>(std::max(a, b)) >= mesh.vertices.size())
-                refuse<std::out_of_range>("mesh: there is no side from node ", a, " to node ", b,
+                refuse<std::out_of_range>("mesh: there is no edge from node ", a, " to node ", b,
                                           "; give nodes from 0 to ", mesh.vertices.size() - 1);
         }
     return MeshEdges(mesh.triangles, mesh.vertices.size()).ends();
@@ -118,11 +118,11 @@ std::vector<std::array<Eigen::Vector2d, 3>> texturedCoordinates(const TriangleMe
         refuse("mesh: it has no texture coordinates; lay it flat with wrappedCoordinates instead");
     std::vector<std::array<Eigen::Vector2d, 3>> coordinates;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Eigen::Matrix2d texture = sidesOf(mesh.textureCoordinates[t]);
+        const Eigen::Matrix2d texture = edgesOf(mesh.textureCoordinates[t]);
         std::array<Eigen::Vector2d, 3> corners = flat(cornersOf(mesh, t));
-        // In which direction u rises: u of the two sides, by the inverse of the sides laid flat.
+        // In which direction u rises: u of the two edges, by the inverse of the edges laid flat.
         const Eigen::Vector2d warp =
-            (sidesOf(corners).transpose().inverse() * texture.row(0).transpose()).normalized();
+            (edgesOf(corners).transpose().inverse() * texture.row(0).transpose()).normalized();
         if (!(triangleArea(mesh.textureCoordinates[t]) > 0) || !warp.allFinite())
             refuse("mesh: the texture coordinates of triangle ", t,
                    " span no area, so that its warp has no direction; mend them, or use wrappedCoordinates");

@@ -38,7 +38,7 @@ class Gatherer {
         numberNodes();
         file_.loneVertices = static_cast<int>(attributes_.vertices.size() / 3 - file_.mesh.vertices.size());
         file_.branchingSides = static_cast<int>(
-            std::count_if(sides_.begin(), sides_.end(), [](const auto& side) { return side.second > 2; }));
+            std::count_if(edges_.begin(), edges_.end(), [](const auto& edge) { return edge.second > 2; }));
         if (file_.mesh.triangles.empty())
             throw std::invalid_argument("none of its faces has an area; cloth needs at least one that has");
         validate(file_.mesh);
@@ -61,7 +61,7 @@ class Gatherer {
         }
         for (const auto& [a, b] :
              {std::array<int, 2>{sorted[0], sorted[1]}, {sorted[0], sorted[2]}, {sorted[1], sorted[2]}})
-            ++sides_[{a, b}];
+            ++edges_[{a, b}];
         for (const int number : numbers) nodes_[number];
         file_.mesh.triangles.push_back(numbers);
         if (reading_.texture)
@@ -74,7 +74,7 @@ class Gatherer {
         return reading_.scale * Eigen::Vector3d(at[0], at[1], at[2]);
     }
 
-    /// A height over its longest side of less than a millionth of that side is none.
+    /// A height over its longest edge of less than a millionth of that edge is none.
     bool hasArea(const Corners& corners) const {
         const Eigen::Vector3d origin = position(corners[0].vertex_index);
         const Eigen::Vector3d a = position(corners[1].vertex_index) - origin,
@@ -103,7 +103,7 @@ class Gatherer {
     const MeshReading& reading_;
     MeshFile file_;
     std::set<std::array<int, 3>> known_;
-    std::map<std::array<int, 2>, int> sides_;
+    std::map<std::array<int, 2>, int> edges_;
     std::map<int, int> nodes_;  // by the number of the vertex in the file
 };
 

@@ -30,7 +30,7 @@ int axisAlong(const Eigen::Vector3d& up) {
 }
 
 // Unit vectors along the two sides of the rectangle: see the comment at Pool::from.
-std::array<Eigen::Vector3d, 2> sidesAcross(const Eigen::Vector3d& up) {
+std::array<Eigen::Vector3d, 2> horizontalAxes(const Eigen::Vector3d& up) {
     const int along = axisAlong(up);
     Eigen::Vector3d first = Eigen::Vector3d::Unit(along == 0 ? 1 : 0);
     first = (first - first.dot(up) * up).normalized();
@@ -80,10 +80,10 @@ void Pool::supply(const SheetPose& sheet, double dt, Supply& supply) {
     checkStep(dt);
     // Without gravity nothing keeps a pool level, or together.
     if (sheet.up.isZero() || !(sheet.gravity > 0)) return;
-    const auto sides = sidesAcross(sheet.up);
+    const auto axes = horizontalAxes(sheet.up);
     for (std::size_t node = 0; node < sheet.mesh.size(); ++node) {
         const Eigen::Vector3d& position = sheet.positions[node];
-        const Eigen::Vector2d across(position.dot(sides[0]), position.dot(sides[1]));
+        const Eigen::Vector2d across(position.dot(axes[0]), position.dot(axes[1]));
         const bool inside = (across.array() >= from.array()).all() && (across.array() <= to.array()).all();
         if (!inside || !(sheet.mesh.areas[node] > 0)) continue;
         const double depth = level - position.dot(sheet.up), fraction = submergedFraction(depth);

@@ -13,22 +13,22 @@ namespace drench {
 namespace {
 
 /// Side 3 t + c of triangle t runs from its corner c to the next.
-using Side = int;
-constexpr Side none = -1;
+using HalfEdge = int;
+constexpr HalfEdge none = -1;
 
-Side nextSide(Side side) {
-    return side % 3 == 2 ? side - 2 : side + 1;
+HalfEdge nextHalfEdge(HalfEdge halfEdge) {
+    return halfEdge % 3 == 2 ? halfEdge - 2 : halfEdge + 1;
 }
-Side previousSide(Side side) {
-    return side % 3 == 0 ? side + 2 : side - 1;
-}
-
-/// The side opposite to a corner; a reversed triangle has its corners in the order 0, 2, 1.
-Side sideOpposite(const EdgeTriangle& at, bool isReversed) {
-    return static_cast<Side>(3 * at.triangle + (isReversed ? 4 - at.apex : at.apex + 1) % 3);
+HalfEdge previousHalfEdge(HalfEdge halfEdge) {
+    return halfEdge % 3 == 0 ? halfEdge + 2 : halfEdge - 1;
 }
 
-/// Triangles known by the lengths of their sides alone, which may be cut anew within the surface.
+/// The half-edge opposite to a corner; a reversed triangle has its corners in the order 0, 2, 1.
+HalfEdge sideOpposite(const EdgeTriangle& at, bool isReversed) {
+    return static_cast<HalfEdge>(3 * at.triangle + (isReversed ? 4 - at.apex : at.apex + 1) % 3);
+}
+
+/// Triangles known by the lengths of their half-edges alone, which may be cut anew within the surface.
 class IntrinsicTriangles {
   public:
     IntrinsicTriangles(const ClothMesh& mesh, double scaleWarp, double scaleWeft) {
@@ -42,37 +42,38 @@ class IntrinsicTriangles {
         if (turnAlike(reversed)) cutAndJoin();
     }
 
-    /// Flips sides until none has angles opposite to it of more than 180 degrees together.
+    /// Flips half-edges until none has angles opposite to it of more than 180 degrees together.
     void makeDelaunay() {
-        std::deque<Side> open;
-        for (Side side = 0; side < sides(); ++side) open.push_back(side);
+        std::deque<HalfEdge> open;
+        for (HalfEdge halfEdge = 0; halfEdge < halfEdges(); ++halfEdge) open.push_back(halfEdge);
         // Ends by itself; the bound only guards against lengths that contradict each other.
-        for (long budget = 100L * sides(); !open.empty() && budget > 0; --budget) {
-            const Side side = open.front();
+        for (long budget = 100L * halfEdges(); !open.empty() && budget > 0; --budget) {
+            const HalfEdge halfEdge = open.front();
             open.pop_front();
-            if (!flippable(side) || cotangent(side) + cotangent(twin(side)) > -1e-9) continue;
-            flip(side);
-            const Side other = twin(side);
-            for (const Side around :
-                 {nextSide(side), previousSide(side), nextSide(other), previousSide(other)})
+            if (!flippable(halfEdge) || cotangent(halfEdge) + cotangent(twin(halfEdge)) > -1e-9) continue;
+            flip(halfEdge);
+            const HalfEdge other = twin(halfEdge);
+            for (const HalfEdge around : {nextHalfEdge(halfEdge), previousHalfEdge(halfEdge),
+                                          nextHalfEdge(other), previousHalfEdge(other)})
                 open.push_back(around);
         }
     }
 
-    Side sides() const { return static_cast<Side>(from_.size()); }
-    int from(Side side) const { return from_[static_cast<std::size_t>(side)]; }
-    double restLength(Side side) const { return restLength_[static_cast<std::size_t>(side)]; }
+    HalfEdge halfEdges() const { return static_cast<HalfEdge>(from_.size()); }
+    int from(HalfEdge halfEdge) const { return from_[static_cast<std::size_t>(halfEdge)]; }
+    double restLength(HalfEdge halfEdge) const { return restLength_[static_cast<std::size_t>(halfEdge)]; }
 
-    /// Cotangent of the angle opposite to a side.
-    double cotangent(Side side) const {
-        const double a = length(side), b = length(nextSide(side)), c = length(previousSide(side));
+    /// Cotangent of the angle opposite to a half-edge.
+    double cotangent(HalfEdge halfEdge) const {
+        const double a = length(halfEdge), b = length(nextHalfEdge(halfEdge)),
+                     c = length(previousHalfEdge(halfEdge));
         return (b * b + c * c - a * a) / (4 * areaOf(a, b, c));
     }
 
   private:
-    double length(Side side) const { return length_[static_cast<std::size_t>(side)]; }
-    Side partner(Side side) const { return partner_[static_cast<std::size_t>(side)]; }
-    Side twin(Side side) const { return twin_[static_cast<std::size_t>(side)]; }
+    double length(HalfEdge halfEdge) const { return length_[static_cast<std::size_t>(halfEdge)]; }
+    HalfEdge partner(HalfEdge halfEdge) const { return partner_[static_cast<std::size_t>(halfEdge)]; }
+    HalfEdge twin(HalfEdge halfEdge) const { return twin_[static_cast<std::size_t>(halfEdge)]; }
 
     /// Heron's formula in Kahan's order, which needles do not spoil.
     static double areaOf(double a, double b, double c) {
@@ -113,12 +114,13 @@ class IntrinsicTriangles {
             while (!open.empty()) {
                 const std::size_t t = open.back();
                 open.pop_back();
-                for (Side side = static_cast<Side>(3 * t); side < static_cast<Side>(3 * t + 3); ++side) {
-                    if (partner(side) == none) continue;
-                    const auto neighbour = static_cast<std::size_t>(partner(side) / 3);
+                for (HalfEdge halfEdge = static_cast<HalfEdge>(3 * t);
+                     halfEdge < static_cast<HalfEdge>(3 * t + 3); ++halfEdge) {
+                    if (partner(halfEdge) == none) continue;
+                    const auto neighbour = static_cast<std::size_t>(partner(halfEdge) / 3);
                     if (seen[neighbour]) continue;
                     seen[neighbour] = 1;
-                    const bool alike = from(partner(side)) != from(side);
+                    const bool alike = from(partner(halfEdge)) != from(halfEdge);
                     reversed[neighbour] = alike ? reversed[t] : !reversed[t];
                     any = any || reversed[neighbour];
                     open.push_back(neighbour);
@@ -128,7 +130,7 @@ class IntrinsicTriangles {
         return any;
     }
 
-    /// Pairs sides along each other, where there are two to an edge.
+    /// Pairs half-edges along each other, where there are two to an edge.
     void joinAlong(const MeshEdges& edges, const std::vector<char>& reversed) {
         partner_.assign(from_.size(), none);
         twin_.assign(from_.size(), none);
@@ -137,25 +139,27 @@ class IntrinsicTriangles {
                 if (const EdgeTriangle* const other = edges.across(t, apex))
                     partner_[static_cast<std::size_t>(sideOpposite({t, apex}, reversed[t]))] =
                         sideOpposite(*other, reversed[other->triangle]);
-        for (Side side = 0; side < sides(); ++side)
-            if (partner(side) != none && from(partner(side)) != from(side)) join(side, partner(side));
+        for (HalfEdge halfEdge = 0; halfEdge < halfEdges(); ++halfEdge)
+            if (partner(halfEdge) != none && from(partner(halfEdge)) != from(halfEdge))
+                join(halfEdge, partner(halfEdge));
     }
 
-    void join(Side a, Side b) {
+    void join(HalfEdge a, HalfEdge b) {
         if (a != none) twin_[static_cast<std::size_t>(a)] = b;
         if (b != none) twin_[static_cast<std::size_t>(b)] = a;
     }
 
-    void setSide(Side side, int node, double sideLength, double sideRestLength, Side itsTwin) {
-        from_[static_cast<std::size_t>(side)] = node;
-        length_[static_cast<std::size_t>(side)] = sideLength;
-        restLength_[static_cast<std::size_t>(side)] = sideRestLength;
-        twin_[static_cast<std::size_t>(side)] = none;
-        join(side, itsTwin);
+    void setHalfEdge(HalfEdge halfEdge, int node, double halfEdgeLength, double halfEdgeRestLength,
+                     HalfEdge itsTwin) {
+        from_[static_cast<std::size_t>(halfEdge)] = node;
+        length_[static_cast<std::size_t>(halfEdge)] = halfEdgeLength;
+        restLength_[static_cast<std::size_t>(halfEdge)] = halfEdgeRestLength;
+        twin_[static_cast<std::size_t>(halfEdge)] = none;
+        join(halfEdge, itsTwin);
     }
 
-    /// Length of the other diagonal of two triangles laid side by side: `shared` the side between them, from its start
-    /// the two sides `upper` and `lower`, which meet `upperEnd` and `lowerEnd` at its end.
+    /// Length of the other diagonal of two triangles laid side by side: `shared` the half-edge between them, from its start
+    /// the two half-edges `upper` and `lower`, which meet `upperEnd` and `lowerEnd` at its end.
     static double otherDiagonal(double shared, double upper, double upperEnd, double lower, double lowerEnd) {
         const auto apex = [shared](double start, double end) {
             const double x = (start * start - end * end + shared * shared) / (2 * shared);
@@ -166,23 +170,24 @@ class IntrinsicTriangles {
         return std::hypot(x1 - x2, y1 + y2);
     }
 
-    /// Whether there are two different triangles at a side, joined nowhere else.
-    bool flippable(Side side) const {
-        const Side other = twin(side);
-        if (other == none || other / 3 == side / 3) return false;
-        for (const Side around : {nextSide(side), previousSide(side), nextSide(other), previousSide(other)})
-            if (twin(around) != none && (twin(around) / 3 == side / 3 || twin(around) / 3 == other / 3))
+    /// Whether there are two different triangles at a half-edge, joined nowhere else.
+    bool flippable(HalfEdge halfEdge) const {
+        const HalfEdge other = twin(halfEdge);
+        if (other == none || other / 3 == halfEdge / 3) return false;
+        for (const HalfEdge around : {nextHalfEdge(halfEdge), previousHalfEdge(halfEdge), nextHalfEdge(other),
+                                      previousHalfEdge(other)})
+            if (twin(around) != none && (twin(around) / 3 == halfEdge / 3 || twin(around) / 3 == other / 3))
                 return false;
         return true;
     }
 
-    /// Replaces the side between two triangles by the other diagonal of their quadrilateral.
-    void flip(Side side) {
-        const Side other = twin(side);
+    /// Replaces the half-edge between two triangles by the other diagonal of their quadrilateral.
+    void flip(HalfEdge halfEdge) {
+        const HalfEdge other = twin(halfEdge);
         // Triangles (a, b, c) and (b, a, d) become (d, c, a) and (c, d, b).
-        const Side bc = nextSide(side), ca = previousSide(side), ad = nextSide(other),
-                   db = previousSide(other);
-        const auto keep = [this](Side s) {
+        const HalfEdge bc = nextHalfEdge(halfEdge), ca = previousHalfEdge(halfEdge), ad = nextHalfEdge(other),
+                       db = previousHalfEdge(other);
+        const auto keep = [this](HalfEdge s) {
             const auto i = static_cast<std::size_t>(s);
             return std::tuple(from_[i], length_[i], restLength_[i], twin_[i]);
         };
@@ -190,21 +195,21 @@ class IntrinsicTriangles {
         const auto [c, lengthCa, restCa, twinCa] = keep(ca);
         const auto [a, lengthAd, restAd, twinAd] = keep(ad);
         const auto [d, lengthDb, restDb, twinDb] = keep(db);
-        const double diagonal = otherDiagonal(length(side), lengthCa, lengthBc, lengthAd, lengthDb);
-        const double restDiagonal = otherDiagonal(restLength(side), restCa, restBc, restAd, restDb);
-        setSide(side, d, diagonal, restDiagonal, other);
-        setSide(nextSide(side), c, lengthCa, restCa, twinCa);
-        setSide(previousSide(side), a, lengthAd, restAd, twinAd);
-        setSide(other, c, diagonal, restDiagonal, side);
-        setSide(nextSide(other), d, lengthDb, restDb, twinDb);
-        setSide(previousSide(other), b, lengthBc, restBc, twinBc);
+        const double diagonal = otherDiagonal(length(halfEdge), lengthCa, lengthBc, lengthAd, lengthDb);
+        const double restDiagonal = otherDiagonal(restLength(halfEdge), restCa, restBc, restAd, restDb);
+        setHalfEdge(halfEdge, d, diagonal, restDiagonal, other);
+        setHalfEdge(nextHalfEdge(halfEdge), c, lengthCa, restCa, twinCa);
+        setHalfEdge(previousHalfEdge(halfEdge), a, lengthAd, restAd, twinAd);
+        setHalfEdge(other, c, diagonal, restDiagonal, halfEdge);
+        setHalfEdge(nextHalfEdge(other), d, lengthDb, restDb, twinDb);
+        setHalfEdge(previousHalfEdge(other), b, lengthBc, restBc, twinBc);
     }
 
     std::vector<int> from_;
     std::vector<double> length_;      // in which the permeability is the same in all directions
     std::vector<double> restLength_;  // m
-    std::vector<Side> partner_;       // as cut first, the other side along the same edge
-    std::vector<Side> twin_;          // the same as it is now, in the opposite sense
+    std::vector<HalfEdge> partner_;   // as cut first, the other half-edge along the same edge
+    std::vector<HalfEdge> twin_;      // the same as it is now, in the opposite sense
 };
 
 }  // namespace
@@ -216,22 +221,23 @@ std::vector<Edge> conductances(const ClothMesh& mesh, double permeabilityWarp, d
                                  std::sqrt(mean / permeabilityWeft));
     triangles.makeDelaunay();
 
-    std::vector<Edge> sides;
-    for (Side side = 0; side < triangles.sides(); ++side) {
-        const auto [a, b] = std::minmax({triangles.from(side), triangles.from(nextSide(side))});
+    std::vector<Edge> halfEdges;
+    for (HalfEdge halfEdge = 0; halfEdge < triangles.halfEdges(); ++halfEdge) {
+        const auto [a, b] = std::minmax({triangles.from(halfEdge), triangles.from(nextHalfEdge(halfEdge))});
         if (a == b) continue;  // round a tube of one cell, back to where it came from
-        sides.push_back({a, b, 0.5 * mean * triangles.cotangent(side), triangles.restLength(side)});
+        halfEdges.push_back(
+            {a, b, 0.5 * mean * triangles.cotangent(halfEdge), triangles.restLength(halfEdge)});
     }
-    std::stable_sort(sides.begin(), sides.end(), [](const Edge& x, const Edge& y) {
+    std::stable_sort(halfEdges.begin(), halfEdges.end(), [](const Edge& x, const Edge& y) {
         return std::pair(x.b - x.a, x.a) < std::pair(y.b - y.a, y.a);
     });
 
     std::vector<Edge> conducting;
-    for (std::size_t i = 0; i < sides.size();) {
-        Edge edge = sides[i];
-        for (++i; i < sides.size() && sides[i].a == edge.a && sides[i].b == edge.b; ++i) {
-            edge.conductance += sides[i].conductance;
-            edge.length = std::max(edge.length, sides[i].length);
+    for (std::size_t i = 0; i < halfEdges.size();) {
+        Edge edge = halfEdges[i];
+        for (++i; i < halfEdges.size() && halfEdges[i].a == edge.a && halfEdges[i].b == edge.b; ++i) {
+            edge.conductance += halfEdges[i].conductance;
+            edge.length = std::max(edge.length, halfEdges[i].length);
         }
         if (edge.conductance > 1e-9 * mean) conducting.push_back(edge);
     }

@@ -19,7 +19,7 @@ struct Edge {
 /// For warp = weft = k the conductance of an edge is k (cot a + cot b) / 2, a and b the angles opposite to
 /// it.
 ///
-/// An obtuse triangle would give its long side a negative conductance, and water would flow from dry to wet.
+/// An obtuse triangle would give its long edge a negative conductance, and water would flow from dry to wet.
 /// So the triangles first are made Delaunay, in lengths in which the permeability is the same in all
 /// directions, by flipping edges within the surface (intrinsic Delaunay triangulation: Fisher et al. 2007;
 /// Bobenko & Springborn 2007); areas of nodes stay. That leaves no negative edge but on the border, opposite

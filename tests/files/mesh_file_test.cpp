@@ -257,7 +257,7 @@ TEST(MeshSheet, TextureGivesTheDirectionOfTheWarp) {
     TriangleMesh mesh;
     mesh.vertices = {{0, 0, 0}, {0, 0.3, 0}, {0.2, 0.1, 0.4}};
     mesh.triangles = {{0, 1, 2}};
-    mesh.textureCoordinates = {{Eigen::Vector2d(5, 5), {12, 5}, {5, 9}}};  // u runs along the first side
+    mesh.textureCoordinates = {{Eigen::Vector2d(5, 5), {12, 5}, {5, 9}}};  // u runs along the first edge
     const auto flat = texturedCoordinates(mesh)[0];
     EXPECT_NEAR((flat[1] - flat[0]).norm(), 0.3, 1e-12);
     EXPECT_NEAR((flat[2] - flat[0]).norm(), mesh.vertices[2].norm(), 1e-12);
@@ -271,7 +271,7 @@ TEST(MeshSheet, TextureGivesTheDirectionOfTheWarp) {
 }
 
 TEST(MeshSheet, BranchesAndPiecesDoNotCrash) {
-    // Three flaps at one side, and a piece apart.
+    // Three flaps at one edge, and a piece apart.
     const MeshFile file = meshFromText(
         "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nv 0 -0.1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n"
         "v 1 0 0\nv 1.1 0 0\nv 1 0.1 0\nf 6 7 8\n");

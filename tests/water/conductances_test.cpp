@@ -59,15 +59,15 @@ struct Patch {
 
 Patch patchOf(const LaidOut& mesh) {
     Patch patch = {mesh, std::vector<Eigen::Vector2d>(mesh.positions.size()), {}};
-    std::map<std::pair<int, int>, int> sides;
+    std::map<std::pair<int, int>, int> edges;
     for (std::size_t t = 0; t < mesh.cloth.triangles.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i) {
             const int a = mesh.cloth.triangles[t][i], b = mesh.cloth.triangles[t][(i + 1) % 3];
             patch.material[static_cast<std::size_t>(a)] = mesh.cloth.coordinates[t][i];
-            ++sides[{std::min(a, b), std::max(a, b)}];
+            ++edges[{std::min(a, b), std::max(a, b)}];
         }
     patch.inner.assign(mesh.positions.size(), true);
-    for (const auto& [nodes, count] : sides)
+    for (const auto& [nodes, count] : edges)
         if (count == 1)
             patch.inner[static_cast<std::size_t>(nodes.first)] =
                 patch.inner[static_cast<std::size_t>(nodes.second)] = false;
@@ -148,7 +148,7 @@ TEST(Conductances, ALinearFieldHasTheEnergyOfTheWholeArea) {
     EXPECT_EQ(compared, 3 * 4 + 1) << "three patches in four weaves, and one in one";
 }
 
-// Sum of cotangents at each side of the mesh as it is drawn, and how many triangles have that side.
+// Sum of cotangents at each edge of the mesh as it is drawn, and how many triangles have that edge.
 std::map<std::pair<int, int>, std::pair<double, int>> plainCotangents(const ClothMesh& mesh, double warp,
                                                                       double weft) {
     std::map<std::pair<int, int>, std::pair<double, int>> sums;
@@ -169,8 +169,8 @@ std::map<std::pair<int, int>, std::pair<double, int>> plainCotangents(const Clot
 
 int countNegative(const ClothMesh& mesh, double warp, double weft) {
     int negative = 0;
-    for (const auto& [nodes, side] : plainCotangents(mesh, warp, weft))
-        negative += side.second == 2 && side.first < -1e-6;
+    for (const auto& [nodes, edge] : plainCotangents(mesh, warp, weft))
+        negative += edge.second == 2 && edge.first < -1e-6;
     return negative;
 }
 
@@ -220,7 +220,7 @@ TEST(Conductances, ADelaunayMeshKeepsItsPlainCotangents) {
     ASSERT_EQ(countNegative(mesh, 1, 1), 0);
     const auto edges = byNodes(conductances(mesh, 1, 1)), plain = [&] {
         std::map<std::pair<int, int>, double> halves;
-        for (const auto& [nodes, side] : plainCotangents(mesh, 1, 1)) halves[nodes] = side.first / 2;
+        for (const auto& [nodes, edge] : plainCotangents(mesh, 1, 1)) halves[nodes] = edge.first / 2;
         return halves;
     }();
     ASSERT_EQ(edges.size(), plain.size());

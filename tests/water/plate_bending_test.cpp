@@ -27,7 +27,7 @@ std::size_t index(int node) {
     return static_cast<std::size_t>(node);
 }
 
-/// Whether all three sides have a neighbour; not for meshes where far corners meet.
+/// Whether all three edges have a neighbour; not for meshes where far corners meet.
 bool isInner(const PlateElement& element) {
     return element.nodes[3] >= 0 && element.nodes[4] >= 0 && element.nodes[5] >= 0;
 }
@@ -167,7 +167,7 @@ Strip along(int cells) {
     return {meshes::grid(cells + 1, cells / 4 + 1, spacing), 1.5 * spacing, 1.0};
 }
 
-/// The same with the longer side in the direction that rows of the grid follow each other.
+/// The same with the longer edge in the direction that rows of the grid follow each other.
 Strip acrossRows(int cells) {
     const double spacing = 1.0 / cells;
     Strip strip{meshes::grid(cells / 4 + 1, cells + 1, spacing), 1.5 * spacing, 1.0};
@@ -435,13 +435,13 @@ TEST(PlateBending, WithoutASecondTriangleNothingBends) {
     const ClothMesh single = flatMesh({{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
     EXPECT_TRUE(plateElements(single).empty());
 
-    // Three triangles on one side: none bends there.
+    // Three triangles on one edge: none bends there.
     ClothMesh book = flatMesh({{0, 0}, {0, 1}, {1, 0}, {-1, 0}, {1, 1}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
     EXPECT_TRUE(plateElements(book).empty());
 }
 
 TEST(PlateBending, TwoTrianglesAreAHinge) {
-    // Free on the other sides, the pair may bend as it likes: only a twist of its diagonal is left.
+    // Free on the other edges, the pair may bend as it likes: only a twist of its diagonal is left.
     const ClothMesh pair = flatMesh({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}});
     const auto elements = plateElements(pair);
     ASSERT_EQ(elements.size(), 2u);
@@ -450,7 +450,7 @@ TEST(PlateBending, TwoTrianglesAreAHinge) {
 }
 
 TEST(PlateBending, AFarCornerThatIsThereAlreadyIsCountedOnce) {
-    // Around the middle node lie three triangles: across two sides of each, the far corner is the same.
+    // Around the middle node lie three triangles: across two edges of each, the far corner is the same.
     const LaidOut fan{
         flatMesh({{0, 0}, {1, 0}, {-0.5, 0.8}, {-0.4, -0.9}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}),
         {{0, 0}, {1, 0}, {-0.5, 0.8}, {-0.4, -0.9}}};

@@ -26,10 +26,10 @@ Bounds clothBounds(const std::vector<Eigen::Vector2f>& coordinates) {
 float clothArea(const SheetMesh& sheet) {
     float area = 0.0f;
     for (const auto& [a, b, c] : sheet.triangles) {
-        Eigen::Matrix2f sides;
-        sides << sheet.clothCoordinates[b] - sheet.clothCoordinates[a],
+        Eigen::Matrix2f edges;
+        edges << sheet.clothCoordinates[b] - sheet.clothCoordinates[a],
             sheet.clothCoordinates[c] - sheet.clothCoordinates[a];
-        area += 0.5f * std::abs(sides.determinant());
+        area += 0.5f * std::abs(edges.determinant());
     }
     return area;
 }

@@ -153,10 +153,10 @@ class Recutter {
     Weights weightsOf(const btVector3& position, std::size_t face) const {
         const Triangle& corners = old_.triangles[face];
         const Eigen::Vector3d origin = toEigen(positionOf(corners[0]));
-        Eigen::Matrix<double, 3, 2> sides;
-        sides << toEigen(positionOf(corners[1])) - origin, toEigen(positionOf(corners[2])) - origin;
-        const Eigen::Matrix2d products = sides.transpose() * sides;
-        const Eigen::Vector2d along = products.inverse() * (sides.transpose() * (toEigen(position) - origin));
+        Eigen::Matrix<double, 3, 2> edges;
+        edges << toEigen(positionOf(corners[1])) - origin, toEigen(positionOf(corners[2])) - origin;
+        const Eigen::Matrix2d products = edges.transpose() * edges;
+        const Eigen::Vector2d along = products.inverse() * (edges.transpose() * (toEigen(position) - origin));
         if (!along.allFinite()) throw std::invalid_argument(textOf("face ", face, " has no area now"));
         return {1 - along.sum(), along.x(), along.y()};
     }

@@ -20,14 +20,14 @@ const Eigen::Vector3d& position(const TriangleMesh& mesh, int node) {
     return mesh.vertices[static_cast<std::size_t>(node)];
 }
 
-/// Whether two triangles are the halves of a cell that their side cuts from corner to corner.
-bool isDiagonal(const TriangleMesh& mesh, const NodePair& side, const NodePair& apices) {
+/// Whether two triangles are the halves of a cell that their edge cuts from corner to corner.
+bool isDiagonal(const TriangleMesh& mesh, const NodePair& edge, const NodePair& apices) {
     constexpr double longer = 1.1, flat = 0.9;  // cosine of the angle between the two halves
-    const Eigen::Vector3d along = position(mesh, side[1]) - position(mesh, side[0]);
+    const Eigen::Vector3d along = position(mesh, edge[1]) - position(mesh, edge[0]);
     std::array<Eigen::Vector3d, 2> normals;
     for (std::size_t k = 0; k < 2; ++k) {
-        const Eigen::Vector3d from = position(mesh, apices[k]) - position(mesh, side[0]);
-        const Eigen::Vector3d to = position(mesh, apices[k]) - position(mesh, side[1]);
+        const Eigen::Vector3d from = position(mesh, apices[k]) - position(mesh, edge[0]);
+        const Eigen::Vector3d to = position(mesh, apices[k]) - position(mesh, edge[1]);
         if (along.norm() < longer * std::max(from.norm(), to.norm())) return false;
         normals[k] = along.cross(from).normalized();
     }

@@ -147,8 +147,8 @@ btScalar cellSize(const Corners& c, const Grid& grid) {
 
 }  // namespace
 
-Corners flatCorners(const btVector3& origin, const btVector3& warpSide, const btVector3& weftSide) {
-    return {origin, origin + warpSide, origin + weftSide, origin + warpSide + weftSide};
+Corners flatCorners(const btVector3& origin, const btVector3& warpEdge, const btVector3& weftEdge) {
+    return {origin, origin + warpEdge, origin + weftEdge, origin + warpEdge + weftEdge};
 }
 
 std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
