@@ -23,7 +23,7 @@ using Corners = std::array<tinyobj::index_t, 3>;
 /// Takes in the triangles of a file one by one, and leaves out what is no cloth.
 class Gatherer {
   public:
-    Gatherer(const tinyobj::attrib_t& attributes, const MeshReading& reading)
+    Gatherer(const tinyobj::attrib_t& attributes, const MeshReadOptions& reading)
         : attributes_(attributes), reading_(reading) {}
 
     void add(const tinyobj::shape_t& shape) {
@@ -36,8 +36,9 @@ class Gatherer {
 
     MeshFile finish() {
         numberNodes();
-        file_.loneVertices = static_cast<int>(attributes_.vertices.size() / 3 - file_.mesh.vertices.size());
-        file_.branchingSides = static_cast<int>(
+        file_.unreferencedVertices =
+            static_cast<int>(attributes_.vertices.size() / 3 - file_.mesh.vertices.size());
+        file_.nonManifoldEdges = static_cast<int>(
             std::count_if(edges_.begin(), edges_.end(), [](const auto& edge) { return edge.second > 2; }));
         if (file_.mesh.triangles.empty())
             throw std::invalid_argument("none of its faces has an area; cloth needs at least one that has");
@@ -50,13 +51,13 @@ class Gatherer {
         std::array<int, 3> numbers;
         for (std::size_t k = 0; k < 3; ++k) numbers[k] = corners[k].vertex_index + 1;
         if (!hasArea(corners)) {
-            file_.flatTriangles.push_back(numbers);
+            file_.degenerateTriangles.push_back(numbers);
             return;
         }
         std::array<int, 3> sorted = numbers;
         std::sort(sorted.begin(), sorted.end());
         if (!known_.insert(sorted).second) {
-            file_.doubleTriangles.push_back(numbers);
+            file_.duplicateTriangles.push_back(numbers);
             return;
         }
         for (const auto& [a, b] :
@@ -100,20 +101,20 @@ class Gatherer {
     }
 
     const tinyobj::attrib_t& attributes_;
-    const MeshReading& reading_;
+    const MeshReadOptions& reading_;
     MeshFile file_;
     std::set<std::array<int, 3>> known_;
     std::map<std::array<int, 2>, int> edges_;
     std::map<int, int> nodes_;  // by the number of the vertex in the file
 };
 
-void checkScale(const MeshReading& reading) {
+void checkScale(const MeshReadOptions& reading) {
     if (reading.scale >= 1e-6 && reading.scale <= 1e6) return;
-    refuse("MeshReading::scale is ", reading.scale, "; give metres per unit, 1e-6 to 1e6");
+    refuse("MeshReadOptions::scale is ", reading.scale, "; give metres per unit, 1e-6 to 1e6");
 }
 
 /// @throws std::invalid_argument that says what is wrong
-MeshFile parsed(std::string_view text, const MeshReading& reading) {
+MeshFile parsed(std::string_view text, const MeshReadOptions& reading) {
     if (text.size() > maxBytes) throw std::invalid_argument("it has more than 256 MB");
     files::checkObj(text, reading);
     tinyobj::ObjReaderConfig config;
@@ -129,7 +130,7 @@ MeshFile parsed(std::string_view text, const MeshReading& reading) {
 
 }  // namespace
 
-MeshFile meshFromText(std::string_view text, const MeshReading& reading) {
+MeshFile meshFromText(std::string_view text, const MeshReadOptions& reading) {
     checkScale(reading);
     try {
         return parsed(text, reading);
@@ -138,7 +139,7 @@ MeshFile meshFromText(std::string_view text, const MeshReading& reading) {
     }
 }
 
-MeshFile readMesh(const std::filesystem::path& path, const MeshReading& reading) {
+MeshFile readMesh(const std::filesystem::path& path, const MeshReadOptions& reading) {
     checkScale(reading);
     try {
         return parsed(files::readWhole(path, maxBytes), reading);

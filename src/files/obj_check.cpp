@@ -50,7 +50,7 @@ bool isRead(std::string_view word, Number& number) {
 
 class Check {
   public:
-    explicit Check(const MeshReading& reading) : reading_(reading) {}
+    explicit Check(const MeshReadOptions& reading) : reading_(reading) {}
 
     void line(std::string_view text) {
         ++line_;
@@ -124,13 +124,13 @@ class Check {
                " before it, counted from 1, or from -1 backwards");
     }
 
-    const MeshReading& reading_;
+    const MeshReadOptions& reading_;
     long line_ = 0, vertices_ = 0, textures_ = 0, faces_ = 0;
 };
 
 }  // namespace
 
-void checkObj(std::string_view text, const MeshReading& reading) {
+void checkObj(std::string_view text, const MeshReadOptions& reading) {
     Check check(reading);
     while (!text.empty()) {
         const std::size_t end = text.find_first_of("\r\n");

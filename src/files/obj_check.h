@@ -9,7 +9,7 @@
 namespace drench::files {
 
 /// @throws std::invalid_argument that names the line, as `meshFromText`
-void checkObj(std::string_view text, const MeshReading& reading);
+void checkObj(std::string_view text, const MeshReadOptions& reading);
 
 /// The text without what follows a # that begins a line or stands after a blank; tinyobjloader takes comments behind
 /// faces for corners. Lines stay as many.

@@ -19,11 +19,11 @@ namespace {
 using test::refusal;
 using test::TemporaryFolder;
 
-std::string whyNot(const std::string& text, const MeshReading& reading = {}) {
+std::string whyNot(const std::string& text, const MeshReadOptions& reading = {}) {
     return refusal<std::invalid_argument>([&] { meshFromText(text, reading); });
 }
 
-void expectRefused(const std::string& text, const std::string& words, const MeshReading& reading = {}) {
+void expectRefused(const std::string& text, const std::string& words, const MeshReadOptions& reading = {}) {
     const std::string why = whyNot(text, reading);
     EXPECT_NE(why.find(words), std::string::npos) << text << "\n" << why;
 }
@@ -83,7 +83,7 @@ TEST(MeshFile, ObjectsAreOneMeshInTheOrderOfTheFile) {
         meshFromText("v 9 9 9\no front\n" + square +
                      "f 3 2 4\ng collar\nv 0 0 1\nusemtl red\nf 3//1 2//1 6//1\nvn 0 0 1\n");
     EXPECT_EQ(file.objects, 2);
-    EXPECT_EQ(file.loneVertices, 1 + 1);
+    EXPECT_EQ(file.unreferencedVertices, 1 + 1);
     EXPECT_EQ(file.vertexInFile, (std::vector<int>{2, 3, 4, 6}));
     EXPECT_EQ(file.mesh.triangles, (std::vector<std::array<int, 3>>{{1, 0, 2}, {1, 0, 3}}));
     EXPECT_EQ(file.mesh.vertices[3], Eigen::Vector3d(0, 0, 1));
@@ -91,13 +91,13 @@ TEST(MeshFile, ObjectsAreOneMeshInTheOrderOfTheFile) {
 }
 
 TEST(MeshFile, ScalesToMetres) {
-    MeshReading centimetres;
+    MeshReadOptions centimetres;
     centimetres.scale = 0.01;
     EXPECT_NEAR(areaOf(meshFromText(square + "f 1 2 3 4\n", centimetres).mesh), 1e-4, 1e-15);
     for (const double scale : {0.0, -1.0, std::nan(""), 1e7}) {
-        MeshReading off;
+        MeshReadOptions off;
         off.scale = scale;
-        expectRefused(square + "f 1 2 3\n", "MeshReading::scale", off);
+        expectRefused(square + "f 1 2 3\n", "MeshReadOptions::scale", off);
     }
 }
 
@@ -106,10 +106,10 @@ TEST(MeshFile, LeavesOutWhatIsNoClothAndSaysSo) {
                                        "v 2 0 0\nf 1 2 3\nf 1 2 5\nf 2 2 3\nf 3 1 2\nf 1 3 2\nf 1 3 4\n"
                                        "v 0.5 0.5 1\nf 1 3 6\n");
     EXPECT_EQ(file.mesh.triangles.size(), 3u);
-    EXPECT_EQ(file.flatTriangles, (std::vector<std::array<int, 3>>{{1, 2, 5}, {2, 2, 3}}));
-    EXPECT_EQ(file.doubleTriangles, (std::vector<std::array<int, 3>>{{3, 1, 2}, {1, 3, 2}}));
-    EXPECT_EQ(file.branchingSides, 1);
-    EXPECT_EQ(file.loneVertices, 1);
+    EXPECT_EQ(file.degenerateTriangles, (std::vector<std::array<int, 3>>{{1, 2, 5}, {2, 2, 3}}));
+    EXPECT_EQ(file.duplicateTriangles, (std::vector<std::array<int, 3>>{{3, 1, 2}, {1, 3, 2}}));
+    EXPECT_EQ(file.nonManifoldEdges, 1);
+    EXPECT_EQ(file.unreferencedVertices, 1);
 }
 
 TEST(MeshFile, NamesTheLineThatIsOff) {
@@ -130,7 +130,7 @@ TEST(MeshFile, NamesTheLineThatIsOff) {
     expectRefused(square + "f\n", "0 corners");
     expectRefused(square + "f 1/1 2/1 3/1\n", "'1/1'; there are 0 texture coordinates");
     expectRefused(square + "f 1 x 3\n", "the corner 'x'");
-    MeshReading textured;
+    MeshReadOptions textured;
     textured.texture = true;
     expectRefused(square + "f 1 2 3\n", "has no texture coordinate", textured);
     std::string many = square + "f";
@@ -171,7 +171,7 @@ TEST(MeshFile, StandsAnyText) {
                     text[at] = "-/0 9ef\n\r#\\"[random() % 11];
             }
         }
-        MeshReading reading;
+        MeshReadOptions reading;
         reading.texture = trial % 2 == 0;
         try {
             const TriangleMesh mesh = meshFromText(text, reading).mesh;
@@ -226,7 +226,7 @@ TEST(MeshSheet, AGridOfQuadsIsAWovenSheet) {
 
 /// A tube that hangs from its upper edge, as a skirt: wet it holds together, and hangs lower than dry.
 TEST(MeshSheet, ATubeHangsAndGetsWet) {
-    MeshReading reading;
+    MeshReadOptions reading;
     reading.texture = true;
     const MeshFile file = meshFromText(tube(24, 12, 0.2, 0.6), reading);
     ASSERT_EQ(file.mesh.triangles.size(), 2u * 24 * 12);
@@ -275,7 +275,7 @@ TEST(MeshSheet, BranchesAndPiecesDoNotCrash) {
     const MeshFile file = meshFromText(
         "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nv 0 -0.1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n"
         "v 1 0 0\nv 1.1 0 0\nv 1 0.1 0\nf 6 7 8\n");
-    EXPECT_EQ(file.branchingSides, 1);
+    EXPECT_EQ(file.nonManifoldEdges, 1);
     test::SmallStepWorld world;
     btSoftBody& body = world.add(makeSheet(world.info(), Fabric(), file.mesh));
     SheetSettings settings;

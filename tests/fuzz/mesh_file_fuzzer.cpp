@@ -8,7 +8,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     using namespace drench;
     for (const bool texture : {false, true}) {
-        MeshReading reading;
+        MeshReadOptions reading;
         reading.texture = texture;
         MeshFile file;
         const std::string_view text(reinterpret_cast<const char*>(bytes), count);
