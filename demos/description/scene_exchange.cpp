@@ -49,9 +49,9 @@ template <typename Fields>
 void exchangeSolver(Fields& fields, SolverDescription& solver) {
     fields.choice("world", solver.world, worldNames);
     fields.choice("solver", solver.solver, solverNames);
-    fields.whole("smallSteps", solver.smallSteps, 0, 1000);
-    fields.whole("mostSubsteps", solver.maxSubsteps, 0, 1000);
-    fields.whole("iterations", solver.iterations, 1, 1000);
+    fields.integer("smallSteps", solver.smallSteps, 0, 1000);
+    fields.integer("mostSubsteps", solver.maxSubsteps, 0, 1000);
+    fields.integer("iterations", solver.iterations, 1, 1000);
 }
 
 template <typename Fields>
@@ -136,8 +136,8 @@ template <typename Fields>
 void exchangeSolid(Fields& fields, SolidDescription& solid) {
     fields.name("name", solid.name);
     fields.choice("shape", solid.shape, shapeNames);
-    fields.truth("touches", solid.touches);
-    fields.truth("seen", solid.seen);
+    fields.boolean("touches", solid.touches);
+    fields.boolean("seen", solid.seen);
     exchangeShape(fields, solid);
     if (solid.shape != SolidDescription::Shape::ground) {
         fields.number("mass", solid.mass, {0, 1e6});
@@ -162,7 +162,7 @@ void exchangeWater(Fields& fields, SprayDescription& spray) {
     angle(fields, "halfAngle", spray.halfAngle, {0.6, 85});
     fields.number("rate", spray.rate, {0, 1000});
     fields.number("speed", spray.speed, {0, 100});
-    fields.truth("seen", spray.seen);
+    fields.boolean("seen", spray.seen);
 }
 
 template <typename Fields>
@@ -255,14 +255,14 @@ void checkWhole(const FieldWriter&, const SceneDescription&) {}
 template <typename Fields>
 void exchangeScene(Fields& fields, SceneDescription& scene) {
     fields.name("name", scene.name);
-    fields.text("text", scene.text);
+    fields.string("text", scene.text);
     fields.number("duration", scene.duration, {0.02, 1e6});
     fields.number("time", scene.time, {0, 1e9});
     int seed = static_cast<int>(scene.seed & 0x7fffffffu);
-    fields.whole("seed", seed, 0, 0x7fffffff);
+    fields.integer("seed", seed, 0, 0x7fffffff);
     if constexpr (Fields::reads) scene.seed = static_cast<unsigned>(seed);
-    fields.truth("water", scene.water);
-    fields.truth("dropsFall", scene.dropsFall);
+    fields.boolean("water", scene.water);
+    fields.boolean("dropsFall", scene.dropsFall);
     fields.object("solver", [&](Fields& inner) { exchangeSolver(inner, scene.solver); });
     fields.object("weather", [&](Fields& inner) { exchangeWeather(inner, scene.weather); });
     fields.object("camera", [&](Fields& inner) { exchangeCamera(inner, scene.camera); });

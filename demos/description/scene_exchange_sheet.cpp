@@ -18,7 +18,7 @@ void exchangeFabric(FieldReader& fields, FabricDescription& fabric) {
     if (!found->is_object()) return fields.choice("fabric", fabric.like, presets);
     fields.object("fabric", [&](FieldReader& inner) {
         inner.choice("like", fabric.like, presets);
-        inner.text("name", fabric.name);
+        inner.string("name", fabric.name);
         if (inner.any("construction")) files::readConstruction(inner, fabric.construction.emplace());
         for (const FabricParameter& parameter : fabricParameters()) {
             Quantity value;
@@ -145,7 +145,7 @@ void exchangeAll(Fields& fields, SheetDescription& sheet) {
     exchangeNodes(fields, sheet.nodes);
     exchangePins(fields, sheet);
     fields.number("slack", sheet.slack, {0, 0.5});
-    fields.whole("waves", sheet.waves, 1, 100);
+    fields.integer("waves", sheet.waves, 1, 100);
     fields.number("unevenness", sheet.unevenness, {0, 1e-3});
     fields.number("saturation", sheet.saturation, {0, 100});
     fields.number("presoak", sheet.presoak, {0, 100});

@@ -124,7 +124,7 @@ bool readQuantity(FieldReader& fields, const FabricParameter& parameter, Quantit
             inner.finish();  // a key that is mistyped would otherwise pass for one that is missing
             read.value = readValue(inner, parameter, readUnit(inner, parameter));
             inner.choice("provenance", read.provenance, provenances());
-            inner.text("source", read.source);
+            inner.string("source", read.source);
             if (read.provenance == Provenance::measured && read.source.empty())
                 inner.refuse("source", "is missing; say by whom it was measured, or give another provenance");
         });

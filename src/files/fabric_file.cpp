@@ -47,7 +47,7 @@ Fabric parsed(std::string_view text) {
     Fabric fabric;
     fields.any("$schema");
     const bool hasBase = readBase(fields, fabric);
-    fields.text("name", fabric.name);
+    fields.string("name", fabric.name);
     files::readConstruction(fields, fabric.construction);
     // A key that is mistyped is said to be so, and not that the one which was meant is missing.
     for (const FabricParameter& parameter : fabricParameters()) fields.any(std::string(parameter.name));

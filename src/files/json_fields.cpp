@@ -71,7 +71,7 @@ void FieldReader::number(const std::string& key, double& value, const Range& ran
     value = found->get<double>();
 }
 
-void FieldReader::whole(const std::string& key, int& value, int min, int max) {
+void FieldReader::integer(const std::string& key, int& value, int min, int max) {
     const nlohmann::json* found = any(key);
     if (!found) return;
     const double number = found->is_number() ? found->get<double>() : min - 1.0;
@@ -80,14 +80,14 @@ void FieldReader::whole(const std::string& key, int& value, int min, int max) {
     value = static_cast<int>(number);
 }
 
-void FieldReader::truth(const std::string& key, bool& value) {
+void FieldReader::boolean(const std::string& key, bool& value) {
     const nlohmann::json* found = any(key);
     if (!found) return;
     if (!found->is_boolean()) refuse(key, "is ", shown(*found), "; give true or false");
     value = found->get<bool>();
 }
 
-void FieldReader::text(const std::string& key, std::string& value) {
+void FieldReader::string(const std::string& key, std::string& value) {
     constexpr std::size_t longest = 1000;
     const nlohmann::json* found = any(key);
     if (!found) return;

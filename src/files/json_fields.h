@@ -33,9 +33,9 @@ class FieldReader {
     FieldReader(const nlohmann::json& object, std::string path);
 
     void number(const std::string& key, double& value, const Range& range);
-    void whole(const std::string& key, int& value, int min, int max);
-    void truth(const std::string& key, bool& value);
-    void text(const std::string& key, std::string& value);
+    void integer(const std::string& key, int& value, int min, int max);
+    void boolean(const std::string& key, bool& value);
+    void string(const std::string& key, std::string& value);
     /// Letters, digits, blanks, - and _, so that it may be part of a file's name or a column's.
     void name(const std::string& key, std::string& value);
     /// A list of so many numbers; `least` is how long the vector must be.
@@ -83,9 +83,9 @@ class FieldWriter {
     void number(const std::string& key, double value, const Range&) {
         if (std::isfinite(value)) object_[key] = value;
     }
-    void whole(const std::string& key, int value, int, int) { object_[key] = value; }
-    void truth(const std::string& key, bool value) { object_[key] = value; }
-    void text(const std::string& key, const std::string& value) { object_[key] = value; }
+    void integer(const std::string& key, int value, int, int) { object_[key] = value; }
+    void boolean(const std::string& key, bool value) { object_[key] = value; }
+    void string(const std::string& key, const std::string& value) { object_[key] = value; }
     void name(const std::string& key, const std::string& value) {
         if (!value.empty()) object_[key] = value;
     }
