@@ -119,30 +119,30 @@ TEST(ContactLaw, FrictionNeverAcceleratesNorTurnsTheSlipRound) {
 
 TEST(ContactLaw, ABondFormsOnTouchAndBreaksWhereItsReachEnds) {
     constexpr double reach = 0.01;
-    EXPECT_FALSE(bondHolds(1, false, 0.001, reach)) << "has not touched";
-    EXPECT_TRUE(bondHolds(1, true, -0.001, reach));
-    EXPECT_TRUE(bondHolds(1, true, 0.0099, reach));
-    EXPECT_FALSE(bondHolds(1, true, 0.01, reach));
-    EXPECT_FALSE(bondHolds(0, true, -0.001, reach)) << "is dry";
-    EXPECT_FALSE(bondHolds(1, true, std::numeric_limits<double>::quiet_NaN(), reach));
+    EXPECT_FALSE(adhesionHolds(1, false, 0.001, reach)) << "has not touched";
+    EXPECT_TRUE(adhesionHolds(1, true, -0.001, reach));
+    EXPECT_TRUE(adhesionHolds(1, true, 0.0099, reach));
+    EXPECT_FALSE(adhesionHolds(1, true, 0.01, reach));
+    EXPECT_FALSE(adhesionHolds(0, true, -0.001, reach)) << "is dry";
+    EXPECT_FALSE(adhesionHolds(1, true, std::numeric_limits<double>::quiet_NaN(), reach));
 }
 
 TEST(ContactLaw, ToPullANodeOffTakesForceTimesReach) {
     constexpr double reach = 0.01, force = 0.2, distance = 1e-5;
     const ContactLaw law = {0, btScalar(force)};
     double work = 0;
-    bool isBonded = true;
-    for (double gap = distance / 2; isBonded; gap += distance) {
-        isBonded = bondHolds(force, isBonded, gap, reach);
-        if (isBonded) work -= double(law.push(-1e6)) * distance;
+    bool adheres = true;
+    for (double gap = distance / 2; adheres; gap += distance) {
+        adheres = adhesionHolds(force, adheres, gap, reach);
+        if (adheres) work -= double(law.push(-1e6)) * distance;
     }
     EXPECT_NEAR(work, force * reach, 1e-3 * force * reach);
 }
 
 TEST(ContactLaw, TwoClothsHoldAsTheDrierOneDoesFromEitherSideHalf) {
-    EXPECT_EQ(bondTractionBetween(8, 8) + bondTractionBetween(8, 8), 8);
-    EXPECT_EQ(bondTractionBetween(8, 2), 1);
-    EXPECT_EQ(bondTractionBetween(0, 8), 0);
+    EXPECT_EQ(adhesionTractionBetween(8, 8) + adhesionTractionBetween(8, 8), 8);
+    EXPECT_EQ(adhesionTractionBetween(8, 2), 1);
+    EXPECT_EQ(adhesionTractionBetween(0, 8), 0);
 }
 
 TEST(ContactLaw, CoefficientsThatAreNegativeOrNaNCountAsZero) {

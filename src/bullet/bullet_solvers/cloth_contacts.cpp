@@ -78,14 +78,14 @@ struct ClothContacts::Search final : btDbvt::ICollide {
     const btVector3 start_, motion_;
 };
 
-void ClothContacts::solve(btDiscreteDynamicsWorld& world, btSoftBody& body, Grip& grip, Mover mover,
-                          double substep) {
+void ClothContacts::solve(btDiscreteDynamicsWorld& world, btSoftBody& body, Friction& sheetFriction,
+                          Mover mover, double substep) {
     mover_ = mover;
     body_ = &body;
-    grip_ = &grip;
+    sheetFriction_ = &sheetFriction;
     substep_ = btScalar(substep);
-    reach_ = grip.clings() ? btScalar(grip.reach()) : btScalar(0);
-    bonds_.assign(grip.bondedToCloth.size(), nullptr);
+    reach_ = sheetFriction.canAdhere() ? btScalar(sheetFriction.reach()) : btScalar(0);
+    adheresTo_.assign(sheetFriction.adheresToCloth.size(), nullptr);
     findPartners(world, body);
     if (!partners_.empty()) {
         forgetBulletsContacts(body);
@@ -95,7 +95,7 @@ void ClothContacts::solve(btDiscreteDynamicsWorld& world, btSoftBody& body, Grip
             for (std::size_t i = 0; i < near_.size(); ++i) solve(node, near_[i], i == 0);
         }
     }
-    grip.bondedToCloth.swap(bonds_);
+    sheetFriction.adheresToCloth.swap(adheresTo_);
 }
 
 void ClothContacts::findPartners(btDiscreteDynamicsWorld& world, const btSoftBody& body) {
@@ -120,7 +120,7 @@ void ClothContacts::findPartners(btDiscreteDynamicsWorld& world, const btSoftBod
         }
         const btScalar margins =
             body.getCollisionShape()->getMargin() + other.getCollisionShape()->getMargin();
-        partners_.push_back({&other, &mechanics->grip, margins, dryFriction(body, other), min, max});
+        partners_.push_back({&other, &mechanics->sheetFriction, margins, dryFriction(body, other), min, max});
     }
 }
 
@@ -198,17 +198,18 @@ void ClothContacts::solve(btSoftBody::Node& node, const Near& near, bool isNeare
     if (!(std::abs(depth) < std::numeric_limits<btScalar>::max())) return;
     // To a hair, as the other sheet has its turn too, and may have lifted this one off just now.
     const bool touches = near.gap < btScalar(0.02) * near.partner->margin || depth > 0;
-    const double bond = isNearest ? bondOf(n, near) : 0.0;
-    const bool isBonded = bondHolds(bond, touches || grip_->bondedToCloth[n] == near.partner->body, -depth,
-                                    btScalar(grip_->reach()));
-    if (isBonded) bonds_[n] = near.partner->body;
+    const double adhesion = isNearest ? adhesionOf(n, near) : 0.0;
+    const bool adheres =
+        adhesionHolds(adhesion, touches || sheetFriction_->adheresToCloth[n] == near.partner->body, -depth,
+                      btScalar(sheetFriction_->reach()));
+    if (adheres) adheresTo_[n] = near.partner->body;
     if (near.gap < 0) lift(corners, near.normal * (liftAtOnce(-near.gap, near.partner->margin) / response));
-    if (touches || isBonded) list(node, near);
-    if (!(depth > 0 || isBonded)) return;
+    if (touches || adheres) list(node, near);
+    if (!(depth > 0 || adheres)) return;
 
     // How far the bond takes them together within the substep, and how far they go.
-    const ContactLaw law = {near.partner->friction * btScalar(grip_->frictionRatio(n)),
-                            btScalar(bond) * substep_ * substep_ * response * btScalar(isBonded)};
+    const ContactLaw law = {near.partner->friction * btScalar(sheetFriction_->frictionRatio(n)),
+                            btScalar(adhesion) * substep_ * substep_ * response * btScalar(adheres)};
     const btScalar closing = law.push(depth);
     const btVector3 slip = alongSurface(motion, near.normal);
     const btScalar length = slip.length();
@@ -233,14 +234,15 @@ void ClothContacts::list(btSoftBody::Node& node, const Near& near) const {
     body_->m_faceNodeContacts.push_back(contact);
 }
 
-double ClothContacts::bondOf(std::size_t node, const Near& near) const {
+double ClothContacts::adhesionOf(std::size_t node, const Near& near) const {
     double ofOther = 0;
     for (int corner = 0; corner < 3; ++corner) {
         const int index = indexOf(*near.partner->body, near.face->m_n[corner]);
-        ofOther +=
-            double(near.weights[corner]) * near.partner->grip->bondTraction(static_cast<std::size_t>(index));
+        ofOther += double(near.weights[corner]) *
+                   near.partner->sheetFriction->adhesionTraction(static_cast<std::size_t>(index));
     }
-    return bondTractionBetween(grip_->bondTraction(node), ofOther) * grip_->area(node);
+    return adhesionTractionBetween(sheetFriction_->adhesionTraction(node), ofOther) *
+           sheetFriction_->area(node);
 }
 
 /// Takes overlapping sheets apart.

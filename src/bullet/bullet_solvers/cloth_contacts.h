@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "bullet/contact/grip.h"
+#include "bullet/contact/friction.h"
 #include "bullet/sheet/face_projection.h"
 #include "drench/config.h"
 
@@ -27,13 +27,14 @@ class ClothContacts {
     /// @param substep  of the body, s
     /// @pre the body is awake and in the world; its nodes are, or have velocities to get, where the substep would end
     /// without contacts
-    void solve(btDiscreteDynamicsWorld& world, btSoftBody& body, Grip& grip, Mover mover, double substep);
+    void solve(btDiscreteDynamicsWorld& world, btSoftBody& body, Friction& sheetFriction, Mover mover,
+               double substep);
 
   private:
     /// Another sheet.
     struct Partner {
         btSoftBody* body;
-        const Grip* grip;
+        const Friction* sheetFriction;
         btScalar margin;                 // of both sheets, m
         btScalar friction;               // coefficient when dry, 1
         btVector3 minMotion, maxMotion;  // of any node, m
@@ -60,7 +61,7 @@ class ClothContacts {
     void keepFacing(const btSoftBody::Node& node);
     void solve(btSoftBody::Node& node, const Near& near, bool isNearest);
     void list(btSoftBody::Node& node, const Near& near) const;
-    double bondOf(std::size_t node, const Near& near) const;
+    double adhesionOf(std::size_t node, const Near& near) const;
     static void lift(const Corner (&corners)[4], const btVector3& displacement);
     void push(const Corner (&corners)[4], const btVector3& displacement) const;
 
@@ -70,13 +71,13 @@ class ClothContacts {
     // During a solve.
     Mover mover_ = Mover::stockSolver;
     btSoftBody* body_ = nullptr;
-    Grip* grip_ = nullptr;
+    Friction* sheetFriction_ = nullptr;
     btScalar substep_ = 0;  // s
     btScalar reach_ = 0;    // of bonds, m; 0 where nothing clings
     std::vector<Partner> partners_;
-    bool meetsOthers_ = false;                     // soft bodies that are left to Bullet
-    std::vector<Near> near_;                       // to the node of the moment, the nearest first
-    std::vector<const btCollisionObject*> bonds_;  // of each node, as they come to be
+    bool meetsOthers_ = false;                         // soft bodies that are left to Bullet
+    std::vector<Near> near_;                           // to the node of the moment, the nearest first
+    std::vector<const btCollisionObject*> adheresTo_;  // of each node, as they come to be
     btNodeStack stack_;
     FaceProjection projection_;
 };

@@ -8,7 +8,7 @@
 
 #include "bullet/bullet_solvers/contact_order.h"
 #include "bullet/bullet_solvers/met_solids.h"
-#include "bullet/contact/grip.h"
+#include "bullet/contact/friction.h"
 #include "drench/config.h"
 
 namespace drench {
@@ -23,13 +23,13 @@ class DeformableContacts {
   public:
     /// @param implicit  whether the world is
     /// @pre the body is in the world; velocities are those that the substep would end with without contacts
-    void rewrite(const btCollisionWorld& world, btSoftBody& body, Grip& grip, btScalar substep,
+    void rewrite(const btCollisionWorld& world, btSoftBody& body, Friction& sheetFriction, btScalar substep,
                  bool implicit);
 
   private:
     struct Substep {
         btSoftBody& body;
-        const Grip& grip;
+        const Friction& sheetFriction;
         btScalar time;  // s
         btScalar margin;
         bool implicit;
@@ -40,7 +40,7 @@ class DeformableContacts {
 
     ContactOrder order_;
     MetSolids met_;
-    std::vector<const btCollisionObject*> bonds_;  // of each node, as they come to be
+    std::vector<const btCollisionObject*> adheresTo_;  // of each node, as they come to be
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

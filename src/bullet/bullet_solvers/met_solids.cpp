@@ -36,10 +36,10 @@ SurfacePoint nearestPart(const btCollisionShape& shape, const btTransform& trans
 
 }  // namespace
 
-void MetSolids::begin(const btCollisionWorld& world, const btSoftBody& body, const Grip& grip) {
+void MetSolids::begin(const btCollisionWorld& world, const btSoftBody& body, const Friction& sheetFriction) {
     world_ = &world;
     body_ = &body;
-    grip_ = &grip;
+    sheetFriction_ = &sheetFriction;
     met_.clear();
     last_ = 0;
 }
@@ -53,7 +53,7 @@ const MetSolids::Met& MetSolids::at(const btCollisionObject* object) {
     for (int i = 0; i < all.size() && !met.exists; ++i) met.exists = all[i] == object;
     met.exists = met.exists && object->hasContactResponse() &&
                  object->getInternalType() != btCollisionObject::CO_SOFT_BODY;
-    if (met.exists) met.surface = grip_->surfaceAt(*object, body_->m_cfg.kDF);
+    if (met.exists) met.surface = sheetFriction_->surfaceAt(*object, body_->m_cfg.kDF);
     met_.push_back(met);
     return met_.back();
 }

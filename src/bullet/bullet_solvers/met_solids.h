@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "bullet/contact/grip.h"
+#include "bullet/contact/friction.h"
 #include "bullet/contact/solid_distance.h"
 #include "drench/config.h"
 
@@ -21,14 +21,14 @@ class MetSolids {
         Surface surface;  // to the sheet
     };
 
-    void begin(const btCollisionWorld& world, const btSoftBody& body, const Grip& grip);
+    void begin(const btCollisionWorld& world, const btSoftBody& body, const Friction& sheetFriction);
     /// @param object  by its address; it may be gone. The answer is good until the next is asked for
     const Met& at(const btCollisionObject* object);
 
   private:
     const btCollisionWorld* world_ = nullptr;
     const btSoftBody* body_ = nullptr;
-    const Grip* grip_ = nullptr;
+    const Friction* sheetFriction_ = nullptr;
     std::vector<Met> met_;
     std::size_t last_ = 0;
 };

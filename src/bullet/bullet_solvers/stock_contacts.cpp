@@ -31,28 +31,28 @@ void silence(btSoftBody::RContact& contact) {
 
 }  // namespace
 
-void StockContacts::rewrite(const btCollisionWorld& world, btSoftBody& body, Grip& grip) {
-    met_.begin(world, body, grip);
+void StockContacts::rewrite(const btCollisionWorld& world, btSoftBody& body, Friction& sheetFriction) {
+    met_.begin(world, body, sheetFriction);
     solids_.clear();
     held_.clear();
-    heldAt_.assign(grip.bondedTo.size(), -1);
-    bonds_.assign(grip.bondedTo.size(), nullptr);
+    heldAt_.assign(sheetFriction.adheresTo.size(), -1);
+    adheresTo_.assign(sheetFriction.adheresTo.size(), nullptr);
     stuck_.swap(stuckBefore_);
-    stuck_.assign(bonds_.size(), {});
-    stuckBefore_.resize(bonds_.size());
+    stuck_.assign(adheresTo_.size(), {});
+    stuckBefore_.resize(adheresTo_.size());
     order_.sort(body.m_rcontacts, [](const btSoftBody::RContact& contact) { return contact.m_node; });
-    for (int i = 0; i < body.m_rcontacts.size(); ++i) rewrite(body.m_rcontacts[i], body, grip);
-    findBonded(body, grip);
+    for (int i = 0; i < body.m_rcontacts.size(); ++i) rewrite(body.m_rcontacts[i], body, sheetFriction);
+    findAdhering(body, sheetFriction);
 
     const auto substep = double(body.m_sst.sdt);
     solids_.begin(substep);
     solids_.advance(substep);
-    for (const Held& held : held_) hold(body, held, btScalar(grip.reach()));
+    for (const Held& held : held_) hold(body, held, btScalar(sheetFriction.reach()));
     solids_.finish(body.m_worldInfo->m_dispatcher);
-    grip.bondedTo.swap(bonds_);
+    sheetFriction.adheresTo.swap(adheresTo_);
 }
 
-void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, const Grip& grip) {
+void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, const Friction& sheetFriction) {
     btSoftBody::Node& node = *contact.m_node;
     const btCollisionObject& object = *contact.m_cti.m_colObj;
     if (!(node.m_im > 0) || object.getInternalType() == btCollisionObject::CO_FEATHERSTONE_LINK) return;
@@ -81,10 +81,10 @@ void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, con
     contact.m_c4 = 0;  // no push
     const int n = static_cast<int>(&node - &body.m_nodes[0]);
     const auto index = static_cast<std::size_t>(n);
-    const double bond = grip.bond(met.surface, index);
-    if (bond > 0) bonds_[index] = &object;
-    add({n, solids_.indexOf(object), surface, std::max(btScalar(0), -approach), true, bond,
-         grip.friction(met.surface, index)});
+    const double adhesion = sheetFriction.adhesion(met.surface, index);
+    if (adhesion > 0) adheresTo_[index] = &object;
+    add({n, solids_.indexOf(object), surface, std::max(btScalar(0), -approach), true, adhesion,
+         sheetFriction.friction(met.surface, index)});
 }
 
 /// What faces a node by several parts, as a floor of boxes or triangles does, presses and clings once.
@@ -101,18 +101,18 @@ void StockContacts::add(const Held& held) {
     held_.push_back(held);
 }
 
-void StockContacts::findBonded(btSoftBody& body, const Grip& grip) {
-    for (std::size_t n = 0; n < bonds_.size(); ++n) {
-        if (!grip.bondedTo[n] || bonds_[n] || !(grip.bond(n) > 0)) continue;
+void StockContacts::findAdhering(btSoftBody& body, const Friction& sheetFriction) {
+    for (std::size_t n = 0; n < adheresTo_.size(); ++n) {
+        if (!sheetFriction.adheresTo[n] || adheresTo_[n] || !(sheetFriction.adhesion(n) > 0)) continue;
         const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
         if (!(node.m_im > 0) || node.m_battach) continue;
-        const MetSolids::Met& met = met_.at(grip.bondedTo[n]);
-        const double bond = met.exists ? grip.bond(met.surface, n) : 0.0;
-        if (!(bond > 0)) continue;
+        const MetSolids::Met& met = met_.at(sheetFriction.adheresTo[n]);
+        const double adhesion = met.exists ? sheetFriction.adhesion(met.surface, n) : 0.0;
+        if (!(adhesion > 0)) continue;
         const SurfacePoint surface = nearestSurfaceOf(*met.object, node.m_x, body.m_worldInfo->m_sparsesdf);
         if (!std::isfinite(surface.distance)) continue;
-        held_.push_back({static_cast<int>(n), solids_.indexOf(*met.object), surface, 0, false, bond,
-                         grip.friction(met.surface, n)});
+        held_.push_back({static_cast<int>(n), solids_.indexOf(*met.object), surface, 0, false, adhesion,
+                         sheetFriction.friction(met.surface, n)});
     }
 }
 
@@ -123,13 +123,13 @@ void StockContacts::hold(btSoftBody& body, const Held& held, btScalar reach) {
     const btScalar substep = body.m_sst.sdt;
     const btVector3 arm = node.m_x - normal * held.surface.distance - solid.end().getOrigin();
     const btScalar response = node.m_im + solid.response(arm, normal);
-    const ContactLaw law = {btScalar(held.friction), btScalar(held.bond) * substep * substep};
+    const ContactLaw law = {btScalar(held.friction), btScalar(held.adhesion) * substep * substep};
     btScalar push = law.push(held.approach / response);
     if (!held.isInContact) {
         const btScalar margin = body.getCollisionShape()->getMargin(),
                        gap = held.surface.distance - margin - normal.dot(solid.displacement(arm));
-        if (!bondHolds(held.bond, true, gap, reach)) return;
-        bonds_[static_cast<std::size_t>(held.node)] = &solid.object();
+        if (!adhesionHolds(held.adhesion, true, gap, reach)) return;
+        adheresTo_[static_cast<std::size_t>(held.node)] = &solid.object();
         push = law.push(-std::max(gap, btScalar(0)) / response);
     }
 

@@ -8,7 +8,7 @@
 
 #include "bullet/bullet_solvers/contact_order.h"
 #include "bullet/bullet_solvers/met_solids.h"
-#include "bullet/contact/grip.h"
+#include "bullet/contact/friction.h"
 #include "bullet/contact/solids.h"
 #include "drench/config.h"
 
@@ -25,7 +25,7 @@ class BulletPass;
 class StockContacts {
   public:
     /// @pre the body is in the world, and its solids are where they are as the substep ends
-    void rewrite(const btCollisionWorld& world, btSoftBody& body, Grip& grip);
+    void rewrite(const btCollisionWorld& world, btSoftBody& body, Friction& sheetFriction);
 
   private:
     friend class BulletPass;
@@ -38,7 +38,7 @@ class StockContacts {
         SurfacePoint surface;
         btScalar approach;  // that the contact stops, m; 0 for a node that has a bond only
         bool isInContact;
-        double bond;      // N
+        double adhesion;  // N
         double friction;  // coefficient, 1
     };
     /// Where friction has held a node.
@@ -47,9 +47,9 @@ class StockContacts {
         btVector3 position = btVector3(0, 0, 0);  // as the object sees it
     };
 
-    void rewrite(btSoftBody::RContact& contact, btSoftBody& body, const Grip& grip);
+    void rewrite(btSoftBody::RContact& contact, btSoftBody& body, const Friction& sheetFriction);
     void add(const Held& held);
-    void findBonded(btSoftBody& body, const Grip& grip);
+    void findAdhering(btSoftBody& body, const Friction& sheetFriction);
     void hold(btSoftBody& body, const Held& held, btScalar reach);
     /// Puts a node that friction holds back along the surface to where it has held it before.
     void stick(btSoftBody& body, const Held& held);
@@ -59,8 +59,8 @@ class StockContacts {
     Solids solids_;
     std::vector<Held> held_;
     // Of each node.
-    std::vector<int> heldAt_;                      // the last in held_; -1 for none
-    std::vector<const btCollisionObject*> bonds_;  // as they come to be
+    std::vector<int> heldAt_;                          // the last in held_; -1 for none
+    std::vector<const btCollisionObject*> adheresTo_;  // as they come to be
     std::vector<Stuck> stuck_, stuckBefore_;
 };
 

@@ -21,7 +21,7 @@ btScalar dryFriction(const btSoftBody& one, const btSoftBody& other);
 
 /// Traction of the bond between two cloths, N/m2, from what each has: both have to be wet, and as the nodes of either
 /// hold the other, they hold one half.
-inline double bondTractionBetween(double one, double other) {
+inline double adhesionTractionBetween(double one, double other) {
     return 0.5 * std::min(one, other);
 }
 
@@ -29,7 +29,7 @@ inline double bondTractionBetween(double one, double other) {
 /// @param adhesion  force of the bond, in any unit; 0 for none
 /// @param isJoined  whether the faces touch, or were bonded before
 /// @param gap       between the faces, m, negative inside
-inline bool bondHolds(double adhesion, bool isJoined, double gap, double reach) {
+inline bool adhesionHolds(double adhesion, bool isJoined, double gap, double reach) {
     return adhesion > 0 && isJoined && gap < reach;
 }
 

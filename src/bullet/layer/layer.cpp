@@ -270,12 +270,12 @@ void WetCloth::Layer::postTick(btScalar dt) {
     using Mover = ClothContacts::Mover;
     if (deformable) {
         const bool implicit = deformableModeOf(world).implicit;
-        clothContacts.solve(world, body, mechanics.grip,
+        clothContacts.solve(world, body, mechanics.sheetFriction,
                             implicit ? Mover::implicitWorld : Mover::explicitWorld, double(dt));
-        deformableContacts.rewrite(world, body, mechanics.grip, dt, implicit);
+        deformableContacts.rewrite(world, body, mechanics.sheetFriction, dt, implicit);
     } else if (!mechanics.movedBySmallSteps) {
-        clothContacts.solve(world, body, mechanics.grip, Mover::stockSolver, double(body.m_sst.sdt));
-        stockContacts.rewrite(world, body, mechanics.grip);
+        clothContacts.solve(world, body, mechanics.sheetFriction, Mover::stockSolver, double(body.m_sst.sdt));
+        stockContacts.rewrite(world, body, mechanics.sheetFriction);
     }
     mechanics.times.contacts += watchOfContacts.lap();
 }

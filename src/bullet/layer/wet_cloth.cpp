@@ -29,15 +29,15 @@ const Air& WetCloth::air() const {
 }
 
 void WetCloth::setSurface(const btCollisionObject& solid, SurfaceKind kind) {
-    layer_->mechanics.grip.setSurface(solid, kind);
+    layer_->mechanics.sheetFriction.setSurface(solid, kind);
 }
 
 void WetCloth::setSurface(const btCollisionObject& solid, const Surface& surface) {
-    layer_->mechanics.grip.setSurface(solid, surface);
+    layer_->mechanics.sheetFriction.setSurface(solid, surface);
 }
 
 void WetCloth::clearSurface(const btCollisionObject& solid) {
-    layer_->mechanics.grip.clearSurface(solid);
+    layer_->mechanics.sheetFriction.clearSurface(solid);
 }
 
 void WetCloth::setWaterSpeed(double speed) {

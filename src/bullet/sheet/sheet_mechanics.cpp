@@ -12,7 +12,7 @@ SheetMechanics::SheetMechanics(const Fabric& fabric, RestShape restShape, ClothM
       bending(fabric.bending),
       bendingFriction(fabric.bendingFriction),
       dryStiffness(linkStiffness(fabric, mesh, shape.links)),
-      grip(fabric, mesh),
+      sheetFriction(fabric, mesh),
       masses(shape.nodeAreas.size()),
       saturations(shape.nodeAreas.size()),
       stretchRatios(shape.nodeAreas.size()),
@@ -21,7 +21,7 @@ SheetMechanics::SheetMechanics(const Fabric& fabric, RestShape restShape, ClothM
 
 void SheetMechanics::recut(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh) {
     SheetMechanics cut(fabric, std::move(restShape), std::move(clothMesh));
-    cut.grip.takeOver(grip);
+    cut.sheetFriction.takeOver(sheetFriction);
     cut.smallSteps = smallSteps;
     cut.heldSubsteps = heldSubsteps;
     cut.times = times;
@@ -29,7 +29,7 @@ void SheetMechanics::recut(const Fabric& fabric, RestShape restShape, ClothMesh 
 }
 
 void SheetMechanics::evaluate(const WetLaws& laws, const Moisture& moisture) {
-    grip.evaluate(laws, moisture);
+    sheetFriction.evaluate(laws, moisture);
     for (std::size_t n = 0; n < masses.size(); ++n) {
         masses[n] = laws.mass(shape.nodeAreas[n], moisture.poreMass()[n] + moisture.filmMass()[n]);
         saturations[n] = moisture.saturation(n);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "bullet/contact/grip.h"
+#include "bullet/contact/friction.h"
 #include "bullet/sheet/rest_shape.h"
 #include "cloth/link_stiffness.h"
 #include "drench/cloth_mesh.h"
@@ -36,7 +36,7 @@ struct SheetMechanics {
     double bending;          // bending rigidity of the dry cloth, N m
     double bendingFriction;  // of the dry cloth, N
     std::vector<LinkStiffness> dryStiffness;
-    Grip grip;
+    Friction sheetFriction;
 
     // Of each node, as of this substep.
     std::vector<double> masses;                 // kg

@@ -117,15 +117,16 @@ bool areNear(const btSoftBody& body, const btCollisionObject& solid) {
 /// Readies the trees and the node states in which Bullet looks for contacts of soft bodies, so that it finds
 /// those that may come within the substep, and bonds as far as they reach: around each node it looks twice as far as
 /// from m_x to m_q.
-void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth, const Grip& grip) {
+void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth, const Friction& sheetFriction) {
     if (body.m_fdbvt.empty()) makeFaceTree(body);  // which else comes with the first stock step
     const btScalar margin = body.getCollisionShape()->getMargin();
     ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
     btScalar farthest = 0;
     for (std::size_t n = 0; n < cloth.size(); ++n) {
         btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-        const btScalar bond = grip.bondedToCloth[n] ? btScalar(grip.reach()) : btScalar(0);
-        const btScalar length = vectorOf(cloth.reach(n)).length() + bond;
+        const btScalar adhesionReach =
+            sheetFriction.adheresToCloth[n] ? btScalar(sheetFriction.reach()) : btScalar(0);
+        const btScalar length = vectorOf(cloth.reach(n)).length() + adhesionReach;
         farthest = std::max(farthest, length);
         node.m_q = node.m_x - btVector3(length / 2, 0, 0);
         volume = btDbvtVolume::FromCR(node.m_x, margin + length);
@@ -213,7 +214,7 @@ void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics
     body.m_scontacts.resize(0);
     writeBounds(body, sheet.cloth);
     if (body.m_cfg.collisions & btSoftBody::fCollision::VF_SS)
-        prepareSoftContacts(body, sheet.cloth, mechanics.grip);
+        prepareSoftContacts(body, sheet.cloth, mechanics.sheetFriction);
     mechanics.times.solver += watch.lap();
 }
 
@@ -225,7 +226,8 @@ void SmallStepSolver::processCollision(btSoftBody* body, const btCollisionObject
     if (!areNear(*body, *solid->getCollisionObject())) return;
     MovingSheet& sheet = *mechanics->moving;
     StopWatch watch;
-    sheet.contacts.find(*body, sheet.cloth, mechanics->grip, *solid, double(body->m_sst.sdt), state_->solids);
+    sheet.contacts.find(*body, sheet.cloth, mechanics->sheetFriction, *solid, double(body->m_sst.sdt),
+                        state_->solids);
     mechanics->times.contacts += watch.lap();
 }
 
@@ -291,7 +293,7 @@ void SmallStepSolver::State::begin(btScalar substep) {
     softSheets.clear();
     for (const Solving& each : sheets) {
         each.sheet->cloth.divide(*each.mechanics, steps);
-        softSheets.push_back({each.body, &each.sheet->cloth, &each.mechanics->grip});
+        softSheets.push_back({each.body, &each.sheet->cloth, &each.mechanics->sheetFriction});
         each.sheet->contacts.begin(*each.body, each.sheet->cloth, solids);
         each.sheet->anchors.begin(*each.body, each.sheet->cloth, solids);
         if (settings.tethers)
@@ -330,7 +332,7 @@ void SmallStepSolver::State::finish(btScalar substep) {
         }
         each.mechanics->smallSteps = steps;
         each.mechanics->times.solver += watch.lap();
-        each.sheet->contacts.finish(*each.body, each.mechanics->grip, solids, double(substep));
+        each.sheet->contacts.finish(*each.body, each.mechanics->sheetFriction, solids, double(substep));
         each.mechanics->times.contacts += watch.lap();
     }
     solids.finish(sheets[0].body->m_worldInfo->m_dispatcher);

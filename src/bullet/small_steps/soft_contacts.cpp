@@ -105,12 +105,12 @@ void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int s
         return one != two ? one < two : a.other->getWorldArrayIndex() < b.other->getWorldArrayIndex();
     });
     for (const Found& found : found_) contacts_.push_back(placed(found, sheets));
-    for (const Sheet& sheet : sheets) bond(sheet, sheets);
+    for (const Sheet& sheet : sheets) updateAdhesion(sheet, sheets);
 }
 
-void SoftContacts::bond(const Sheet& sheet, const std::vector<Sheet>& sheets) {
-    Grip& grip = *sheet.grip;
-    if (!grip.clings()) return;
+void SoftContacts::updateAdhesion(const Sheet& sheet, const std::vector<Sheet>& sheets) {
+    Friction& sheetFriction = *sheet.sheetFriction;
+    if (!sheetFriction.canAdhere()) return;
     nearest_.assign(sheet.cloth->size(), -1);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         Contact& contact = contacts_[i];
@@ -125,22 +125,24 @@ void SoftContacts::bond(const Sheet& sheet, const std::vector<Sheet>& sheets) {
         const auto other = std::find_if(sheets.begin(), sheets.end(), [&](const Sheet& each) {
             return each.cloth == contacts_[i].sheets[1];
         });
-        bond(contacts_[i], *found_[i].other, grip, other == sheets.end() ? nullptr : other->grip);
+        updateAdhesion(contacts_[i], *found_[i].other, sheetFriction,
+                       other == sheets.end() ? nullptr : other->sheetFriction);
     }
 }
 
-void SoftContacts::bond(Contact& contact, const btSoftBody& other, const Grip& ofNode, const Grip* ofFace) {
+void SoftContacts::updateAdhesion(Contact& contact, const btSoftBody& other, const Friction& ofNode,
+                                  const Friction* ofFace) {
     const std::size_t node = contact.nodes[0];
-    double traction = ofNode.bondTraction(node);
+    double traction = ofNode.adhesionTraction(node);
     if (ofFace) {
         double ofOther = 0;
         for (std::size_t corner = 1; corner < 4; ++corner)
-            ofOther -= double(contact.weights[corner]) * ofFace->bondTraction(contact.nodes[corner]);
-        traction = bondTractionBetween(traction, ofOther);
+            ofOther -= double(contact.weights[corner]) * ofFace->adhesionTraction(contact.nodes[corner]);
+        traction = adhesionTractionBetween(traction, ofOther);
     }
-    contact.bond = float(traction * ofNode.area(node));
+    contact.adhesion = float(traction * ofNode.area(node));
     contact.reach = float(ofNode.reach());
-    contact.isBonded = contact.bond > 0 && (contact.gap < 0 || ofNode.bondedToCloth[node] == &other);
+    contact.adheres = contact.adhesion > 0 && (contact.gap < 0 || ofNode.adheresToCloth[node] == &other);
 }
 
 SoftContacts::Contact SoftContacts::placed(const Found& found, const std::vector<Sheet>& sheets) {
@@ -158,7 +160,7 @@ SoftContacts::Contact SoftContacts::placed(const Found& found, const std::vector
     contact.friction = float(source.m_friction);
     for (const Sheet& sheet : sheets)
         if (sheet.cloth == contact.sheets[0])
-            contact.friction *= float(sheet.grip->frictionRatio(contact.nodes[0]));
+            contact.friction *= float(sheet.sheetFriction->frictionRatio(contact.nodes[0]));
     for (std::size_t i = 0; i < 4; ++i)
         contact.response += contact.weights[i] * contact.weights[i] * contact.moved[i]->inverseMass;
     contact.gap = float(apart.dot(source.m_normal) - found.margin);
@@ -228,12 +230,13 @@ void SoftContacts::solve() {
         for (std::size_t i = 0; i < 4; ++i)
             apart += vectorOf(*contact.moved[i]) * btScalar(contact.weights[i]);
         const btScalar depth = -(btScalar(contact.gap) + apart.dot(contact.normal));
-        contact.isBonded = bondHolds(contact.bond, contact.isBonded || depth > 0, -depth, contact.reach);
-        if (!((depth > 0 || contact.isBonded) && std::abs(depth) < std::numeric_limits<btScalar>::max()))
+        contact.adheres =
+            adhesionHolds(contact.adhesion, contact.adheres || depth > 0, -depth, contact.reach);
+        if (!((depth > 0 || contact.adheres) && std::abs(depth) < std::numeric_limits<btScalar>::max()))
             continue;  // nor for what is not finite
         contact.touched = true;
         const ContactLaw law = {btScalar(contact.friction),
-                                contact.isBonded ? bondedWay(contact) : btScalar(0)};
+                                contact.adheres ? adhesionDisplacement(contact) : btScalar(0)};
         const btScalar closing = law.push(depth);
 
         btVector3 slip(0, 0, 0);
@@ -249,21 +252,22 @@ void SoftContacts::solve() {
 }
 
 /// How far a bond takes node and face together in a small step, m.
-btScalar SoftContacts::bondedWay(const Contact& contact) {
+btScalar SoftContacts::adhesionDisplacement(const Contact& contact) {
     const double h = contact.sheets[0]->smallStep();
-    return btScalar(double(contact.bond) * h * h * double(contact.response));
+    return btScalar(double(contact.adhesion) * h * h * double(contact.response));
 }
 
 void SoftContacts::finish(const std::vector<Sheet>& sheets) {
     for (const Sheet& sheet : sheets)
-        std::fill(sheet.grip->bondedToCloth.begin(), sheet.grip->bondedToCloth.end(), nullptr);
+        std::fill(sheet.sheetFriction->adheresToCloth.begin(), sheet.sheetFriction->adheresToCloth.end(),
+                  nullptr);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const Contact& contact = contacts_[i];
         if (contact.touched) found_[i].owner->m_scontacts.push_back(found_[i].contact);
-        if (!contact.isBonded) continue;
+        if (!contact.adheres) continue;
         for (const Sheet& sheet : sheets)
             if (sheet.cloth == contact.sheets[0])
-                sheet.grip->bondedToCloth[contact.nodes[0]] = found_[i].other;
+                sheet.sheetFriction->adheresToCloth[contact.nodes[0]] = found_[i].other;
     }
     for (const Guest& guest : guests_) {
         const btVector3 moved = vectorOf(guest.moved);

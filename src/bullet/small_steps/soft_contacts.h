@@ -6,7 +6,7 @@
 #include <deque>
 #include <vector>
 
-#include "bullet/contact/grip.h"
+#include "bullet/contact/friction.h"
 #include "bullet/small_steps/small_step_sheet.h"
 #include "drench/config.h"
 
@@ -21,7 +21,7 @@ class SoftContacts {
     struct Sheet {
         btSoftBody* body;
         SmallStepSheet* cloth;
-        Grip* grip;
+        Friction* sheetFriction;
     };
 
     void clear() { found_.clear(); }
@@ -55,9 +55,9 @@ class SoftContacts {
         float gap;         // as the substep begins, m
         float friction;    // coefficient, 1
         float response;    // to a push along the normal, 1/kg
-        float bond;        // force that it holds, N
+        float adhesion;    // force that it holds, N
         float reach;       // of the bond, m
-        bool isBonded;
+        bool adheres;
         bool touched;
     };
     /// A node of a body that Bullet moves, and has moved already.
@@ -80,9 +80,10 @@ class SoftContacts {
                     const std::vector<Sheet>& sheets);
     void lift(Contact& contact, float margin);
     /// Has wet cloth cling by the nearest contact of each node: of all of them it would be held several times.
-    void bond(const Sheet& sheet, const std::vector<Sheet>& sheets);
-    static void bond(Contact& contact, const btSoftBody& other, const Grip& ofNode, const Grip* ofFace);
-    static btScalar bondedWay(const Contact& contact);
+    void updateAdhesion(const Sheet& sheet, const std::vector<Sheet>& sheets);
+    static void updateAdhesion(Contact& contact, const btSoftBody& other, const Friction& ofNode,
+                               const Friction* ofFace);
+    static btScalar adhesionDisplacement(const Contact& contact);
     std::size_t guestOf(btSoftBody::Node& node, bool isAwake);
     btVector3 step(const Contact& contact, std::size_t corner) const;
 

@@ -40,12 +40,12 @@ struct SolidContacts::Touching {
     std::size_t solid;  // index
     Bounds bounds;
     btScalar margin;
-    const Grip& grip;
+    const Friction& sheetFriction;
     Surface surface;
     double substep;
 };
 
-void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const Grip& grip,
+void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const Friction& sheetFriction,
                          const btCollisionObjectWrapper& solid, double substep, Solids& solids) {
     const btCollisionObject& object = *solid.getCollisionObject();
     if (!object.hasContactResponse()) return;
@@ -59,13 +59,13 @@ void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const Gr
                   solids.indexOf(object),
                   {},
                   body.getCollisionShape()->getMargin(),
-                  grip,
-                  grip.surfaceAt(object, body.m_cfg.kDF),
+                  sheetFriction,
+                  sheetFriction.surfaceAt(object, body.m_cfg.kDF),
                   substep};
-    reach_ = btScalar(grip.reach());
+    reach_ = btScalar(sheetFriction.reach());
     shape.getAabb(transform, with.bounds.low, with.bounds.high);
     const btVector3 centre = (with.bounds.low + with.bounds.high) / 2;
-    with.bounds.grow(2 * with.margin + (grip.clings() ? reach_ : 0) +
+    with.bounds.grow(2 * with.margin + (sheetFriction.canAdhere() ? reach_ : 0) +
                      ownMotion(object, centre, substep).length() + sheet.farthestReach());
     if (with.isTriangle && mesh_ != &object) {
         mesh_ = &object;
@@ -92,9 +92,9 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
                         : nearestSurface(with.shape, with.transform, node.m_x, body.m_worldInfo->m_sparsesdf);
     // Its neighbours may pull a node on further than it would go by itself, towards where they go.
     const btVector3 approach = reach - ownMotion(with.object, node.m_x, with.substep);
-    const bool isBonded = with.grip.bondedTo[n] == &with.object;
+    const bool adheres = with.sheetFriction.adheresTo[n] == &with.object;
     const btScalar slack =
-        with.margin + std::max(approach.length(), sheet.farthestReach() / 2) + (isBonded ? reach_ : 0);
+        with.margin + std::max(approach.length(), sheet.farthestReach() / 2) + (adheres ? reach_ : 0);
     if (surface.distance > with.margin + slack + std::max(btScalar(0), -approach.dot(surface.normal))) return;
 
     const SolidPoint solidPoint{with.solid,
@@ -109,13 +109,13 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
                                 true};
     const std::size_t at = with.isTriangle ? indexOnMesh(n, solidPoint, node.m_x) : contacts_.size();
     if (at == contacts_.size()) {
-        const double bond = with.grip.bond(with.surface, n);
+        const double adhesion = with.sheetFriction.adhesion(with.surface, n);
         contacts_.push_back({static_cast<int>(n),
                              {},
                              0,
-                             float(with.grip.friction(with.surface, n)),
-                             float(bond),
-                             isBonded && bond > 0,
+                             float(with.sheetFriction.friction(with.surface, n)),
+                             float(adhesion),
+                             adheres && adhesion > 0,
                              false});
         solidPoints_.push_back(solidPoint);
     } else if (at < contacts_.size()) {
@@ -186,8 +186,8 @@ void SolidContacts::choose(const btVector3& start, const SolidPoint& nearest, bt
     solidPoint.facesNode = !solidPoint.isTriangle;
     if (solidPoint.isTriangle) solidPoint.normal = normalOfTriangle(*solidPoint.shape, transform, start);
     // A face of the cloth clings once.
-    if (up.dot(solidPoint.normal) > otherFace) contact.bond = 0;
-    contact.isBonded = contact.isBonded && contact.bond > 0;
+    if (up.dot(solidPoint.normal) > otherFace) contact.adhesion = 0;
+    contact.adheres = contact.adheres && contact.adhesion > 0;
 }
 
 void SolidContacts::order(const Solids& solids) {
@@ -243,7 +243,7 @@ void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const S
             -(btScalar(contact.gap) +
               solidPoint.normal.dot(vectorOf(sheet.moved(n)) - solid.displacement(solidPoint.arm)));
         if (inside <= 0) continue;
-        contact.isBonded = contact.bond > 0;
+        contact.adheres = contact.adhesion > 0;
         // Lifted without a velocity of its own, and not farther than the cloth's margin at once; what is left
         // waits for the next substep.
         const btScalar lifted = std::min(inside, margin);
@@ -277,8 +277,8 @@ void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
         const float gap = contact.gap + normal[0] * (node.x - float(displacement.x())) +
                           normal[1] * (node.y - float(displacement.y())) +
                           normal[2] * (node.z - float(displacement.z()));
-        contact.isBonded = bondHolds(contact.bond, contact.isBonded || gap < 0, gap, float(reach_));
-        if (!((gap < 0 || contact.isBonded) && std::abs(gap) < std::numeric_limits<float>::max()))
+        contact.adheres = adhesionHolds(contact.adhesion, contact.adheres || gap < 0, gap, float(reach_));
+        if (!((gap < 0 || contact.adheres) && std::abs(gap) < std::numeric_limits<float>::max()))
             continue;  // nor for what is not finite
         contact.touched = true;
         hold(sheet, contact, solidPoints_[i], solid, -gap);
@@ -294,7 +294,7 @@ void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const So
     const auto inverseMass = btScalar(node.inverseMass);
     const auto h = btScalar(sheet.smallStep());
     const ContactLaw law = {btScalar(contact.friction),
-                            contact.isBonded ? btScalar(contact.bond) * h * h : btScalar(0)};
+                            contact.adheres ? btScalar(contact.adhesion) * h * h : btScalar(0)};
     const btScalar push = law.push(btScalar(depth) / (inverseMass + solidPoint.response));
     const btVector3 slip = alongSurface(sheet.step(n) - solid.step(solidPoint.arm), normal);
     const btScalar length = slip.length();
@@ -308,14 +308,16 @@ void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const So
     solid.push(solidPoint.arm, -total);
 }
 
-void SolidContacts::finish(btSoftBody& body, Grip& grip, const Solids& solids, double substep) const {
-    std::fill(grip.bondedTo.begin(), grip.bondedTo.end(), nullptr);
+void SolidContacts::finish(btSoftBody& body, Friction& sheetFriction, const Solids& solids,
+                           double substep) const {
+    std::fill(sheetFriction.adheresTo.begin(), sheetFriction.adheresTo.end(), nullptr);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const Contact& contact = contacts_[i];
         if (!contact.touched) continue;
         const SolidPoint& solidPoint = solidPoints_[i];
         const Solid& solid = solids[solidPoint.solid];
-        if (contact.isBonded) grip.bondedTo[static_cast<std::size_t>(contact.node)] = &solid.object();
+        if (contact.adheres)
+            sheetFriction.adheresTo[static_cast<std::size_t>(contact.node)] = &solid.object();
         btSoftBody::RContact found;
         btSoftBody::Node& node = body.m_nodes[contact.node];
         found.m_cti.m_colObj = &solid.object();

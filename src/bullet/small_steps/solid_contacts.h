@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "bullet/contact/grip.h"
+#include "bullet/contact/friction.h"
 #include "bullet/contact/solids.h"
 #include "bullet/small_steps/small_step_sheet.h"
 #include "drench/config.h"
@@ -24,7 +24,7 @@ class SolidContacts {
     void clear();
 
     /// Looks for nodes of a sheet that might touch a solid within the substep, or are bonded to it.
-    void find(btSoftBody& body, const SmallStepSheet& sheet, const Grip& grip,
+    void find(btSoftBody& body, const SmallStepSheet& sheet, const Friction& sheetFriction,
               const btCollisionObjectWrapper& solid, double substep, Solids& solids);
 
     /// Places the planes for the substep, and lifts nodes out of solids that they start in.
@@ -34,7 +34,7 @@ class SolidContacts {
     void solve(SmallStepSheet& sheet, Solids& solids);
 
     /// Tells the body what it has touched, in m_rcontacts, and the grip what it is bonded to.
-    void finish(btSoftBody& body, Grip& grip, const Solids& solids, double substep) const;
+    void finish(btSoftBody& body, Friction& sheetFriction, const Solids& solids, double substep) const;
 
   private:
     struct Touching;
@@ -43,8 +43,8 @@ class SolidContacts {
         float normal[3];
         float gap;       // between the node at its start and the plane at the solid's end, m
         float friction;  // coefficient, 1
-        float bond;      // force that it holds, N
-        bool isBonded;
+        float adhesion;  // force that it holds, N
+        bool adheres;
         bool touched;
     };
     /// What only few of the contacts need, of the same index.

@@ -203,7 +203,7 @@ void WetCloth::Layer::mechanicsState(BulletPass& pass) {
 }
 
 void WetCloth::Layer::touchState(BulletPass& pass) {
-    pass.part(mechanics.grip);
+    pass.part(mechanics.sheetFriction);
     pass.part(stockContacts);
     ContactState touched(body, deformable != nullptr);
     pass.part(touched);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bullet/bullet_solvers/stock_contacts.h"
-#include "bullet/contact/grip.h"
+#include "bullet/contact/friction.h"
 #include "bullet/fluid/fluid_forces.h"
 #include "bullet/fluid/submersion.h"
 #include "bullet/fluid/wind_at_nodes.h"
@@ -41,14 +41,14 @@ void FluidForces::state(BulletPass& pass) {
             pass.number(*part, -strongestGravity, strongestGravity);
 }
 
-void Grip::state(BulletPass& pass) {
-    for (const btCollisionObject*& bond : bondedTo) {
-        const btCollisionObject* const solid = pass.object(bond, BulletPass::Which::solid);
-        if (pass.restores()) bond = solid;
+void Friction::state(BulletPass& pass) {
+    for (const btCollisionObject*& partner : adheresTo) {
+        const btCollisionObject* const solid = pass.object(partner, BulletPass::Which::solid);
+        if (pass.restores()) partner = solid;
     }
-    for (const btCollisionObject*& bond : bondedToCloth) {
-        const btCollisionObject* const cloth = pass.object(bond, BulletPass::Which::soft);
-        if (pass.restores()) bond = cloth;
+    for (const btCollisionObject*& partner : adheresToCloth) {
+        const btCollisionObject* const cloth = pass.object(partner, BulletPass::Which::soft);
+        if (pass.restores()) partner = cloth;
     }
 }
 

@@ -5,7 +5,7 @@
 
 #include "worlds.h"
 
-namespace drench::grip_test {
+namespace drench::friction_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -39,7 +39,7 @@ double slidingSpeed(double friction) {
     return 2 * g * (std::sin(slopeAngle) - friction * std::cos(slopeAngle));
 }
 
-TEST(Grip, FrictionFollowsTheWaterOnASlope) {
+TEST(Friction, FrictionFollowsTheWaterOnASlope) {
     Fabric fabric = fabrics::polyesterPlain();
     fabric.clingEnergy = 0;  // friction alone
     const Surface plate = surfaceOf(fabric, SurfaceKind::plate);
@@ -50,7 +50,7 @@ TEST(Grip, FrictionFollowsTheWaterOnASlope) {
     EXPECT_NEAR(slideWet(fabric, full + film, surfaceOf(fabric, SurfaceKind::skin)), 0, 1e-3);
 }
 
-TEST(Grip, ClingHoldsOnASlopeWhatFrictionAloneWouldNot) {
+TEST(Friction, ClingHoldsOnASlopeWhatFrictionAloneWouldNot) {
     Fabric fabric = fabrics::cottonPlain();
     const Surface slippery = {0.1, 0.1, 0.1, 1}, repelling = {0.1, 0.1, 0.1, 0};
     const double damp = 0.6 * fabric.poreCapacity();
@@ -82,7 +82,7 @@ double fallFromCeiling(double clingOverWeight, double wettability, SmallSteps st
     return start - test::lowest(sheet);
 }
 
-TEST(Grip, AWetSheetHangsFromACeilingAsLongAsClingExceedsItsWeight) {
+TEST(Friction, AWetSheetHangsFromACeilingAsLongAsClingExceedsItsWeight) {
     for (const int steps : {4, 0}) {
         EXPECT_LT(fallFromCeiling(1.05, 1, {steps, 0.01}), 1e-3);
         EXPECT_GT(fallFromCeiling(0.95, 1, {steps, 0.01}), 1);
@@ -144,7 +144,7 @@ class Peel {
     int along_, across_;
 };
 
-TEST(Grip, PeelingAStripAtARightAngleTakesItsEnergyPerLength) {
+TEST(Friction, PeelingAStripAtARightAngleTakesItsEnergyPerLength) {
     constexpr double energy = 0.13, speed = 0.05;
     for (const double spacing : {0.01, 0.005})
         for (const int steps : {20, 0}) {
@@ -156,7 +156,7 @@ TEST(Grip, PeelingAStripAtARightAngleTakesItsEnergyPerLength) {
         }
 }
 
-TEST(Grip, ASheetThatFliesOffAPlateHasLostTheEnergyOfItsBonds) {
+TEST(Friction, ASheetThatFliesOffAPlateHasLostTheEnergyOfItsBonds) {
     for (const double energy : {0.02, 0.13}) {
         Peel sheet(0.01, energy, {0, 0.01});
         const double arealMass = sheet.mass() / (Peel::width * Peel::length);
@@ -199,14 +199,14 @@ double fallFromCloth(double clingOverWeight, bool isUpperWet, bool isLowerWet) {
     return start - test::lowest(lower);
 }
 
-TEST(Grip, WetClothHangsOnWetCloth) {
+TEST(Friction, WetClothHangsOnWetCloth) {
     EXPECT_LT(fallFromCloth(1.3, true, true), 2e-3);
     EXPECT_GT(fallFromCloth(0.7, true, true), 0.5);
     EXPECT_GT(fallFromCloth(5, true, false), 0.5);
     EXPECT_GT(fallFromCloth(5, false, true), 0.5);
 }
 
-TEST(Grip, ClothSlidesOnClothAsOnAPlate) {
+TEST(Friction, ClothSlidesOnClothAsOnAPlate) {
     for (const double friction : {0.0, 0.2}) {
         const Fabric fabric = fabrics::cottonPlain();
         test::SmallStepWorld rig;
@@ -258,7 +258,7 @@ double leftBehind(double fractionOfSaturation) {
     return double((middle - start.rotate({0, 0, 1}, -turned)).length());
 }
 
-TEST(Grip, ATurningBallCarriesWetClothRound) {
+TEST(Friction, ATurningBallCarriesWetClothRound) {
     EXPECT_LT(leftBehind(0.6), 0.01);
     EXPECT_GT(leftBehind(0), 0.3);
 }

@@ -24,9 +24,9 @@ class BulletPass;
 /// energy, whatever the reach is. The reach is the distance of neighbouring nodes: rows of nodes then come off one
 /// after the other at an even force; a much shorter one would hold each row with a large force over a small way,
 /// which a hanging weight could not overcome.
-class Grip {
+class Friction {
   public:
-    Grip(const Fabric& fabric, const ClothMesh& mesh);
+    Friction(const Fabric& fabric, const ClothMesh& mesh);
 
     /// Says what a solid is to this cloth. @throws std::invalid_argument for a surface out of range
     void setSurface(const btCollisionObject& solid, const Surface& surface);
@@ -52,26 +52,26 @@ class Grip {
         return frictionCoefficient(surface, moisture_->saturation(node), moisture_->filmThickness(node));
     }
     /// Force of the bond of a node, per wettability, N.
-    double bond(std::size_t node) const { return bondTraction(node) * areas_[node]; }
+    double adhesion(std::size_t node) const { return adhesionTraction(node) * areas_[node]; }
     /// The same on a surface, N.
-    double bond(const Surface& surface, std::size_t node) const { return surface.wettability * bond(node); }
+    double adhesion(const Surface& surface, std::size_t node) const { return surface.wettability * adhesion(node); }
     /// Where bonds break, m.
     double reach() const { return reach_; }
     /// Whether the cloth would cling if it were wet.
-    bool clings() const { return clings_; }
+    bool canAdhere() const { return canAdhere_; }
 
     /// By how much water changes the friction of a node with other cloth, 1: as on a plate.
     double frictionRatio(std::size_t node) const;
     /// Energy of the bond of a node per reach, N/m2.
-    double bondTraction(std::size_t node) const;
+    double adhesionTraction(std::size_t node) const;
     double area(std::size_t node) const { return areas_[node]; }
 
     /// Takes over what has been said of solids, and the bonds, of the cloth that this is cut from.
-    void takeOver(const Grip& other);
+    void takeOver(const Friction& other);
 
     // What each node is bonded to, by its address alone; none for no bond. Cloth has two faces.
-    std::vector<const btCollisionObject*> bondedTo;       // a solid
-    std::vector<const btCollisionObject*> bondedToCloth;  // another soft body
+    std::vector<const btCollisionObject*> adheresTo;       // a solid
+    std::vector<const btCollisionObject*> adheresToCloth;  // another soft body
 
   private:
     friend class BulletPass;
@@ -83,7 +83,7 @@ class Grip {
     double reach_;                  // m
     std::vector<double> areas_;
     std::map<const btCollisionObject*, Surface> surfaces_;
-    bool clings_;
+    bool canAdhere_;
     const WetLaws* laws_ = nullptr;
     const Moisture* moisture_ = nullptr;
 };

@@ -1,4 +1,4 @@
-#include "bullet/contact/grip.h"
+#include "bullet/contact/friction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,30 +21,30 @@ double nodeDistance(const ClothMesh& mesh) {
 
 }  // namespace
 
-Grip::Grip(const Fabric& fabric, const ClothMesh& mesh)
-    : bondedTo(mesh.size(), nullptr),
-      bondedToCloth(mesh.size(), nullptr),
+Friction::Friction(const Fabric& fabric, const ClothMesh& mesh)
+    : adheresTo(mesh.size(), nullptr),
+      adheresToCloth(mesh.size(), nullptr),
       kinds_{surfaceOf(fabric, SurfaceKind::plate), surfaceOf(fabric, SurfaceKind::skin),
              surfaceOf(fabric, SurfaceKind::rough)},
       reach_(std::clamp(nodeDistance(mesh), shortestReach, longestReach)),
       areas_(mesh.areas),
-      clings_(fabric.clingEnergy > 0) {}
+      canAdhere_(fabric.clingEnergy > 0) {}
 
-void Grip::takeOver(const Grip& other) {
+void Friction::takeOver(const Friction& other) {
     surfaces_ = other.surfaces_;
     laws_ = other.laws_;
     moisture_ = other.moisture_;
-    const std::size_t common = std::min(bondedTo.size(), other.bondedTo.size());
-    std::copy_n(other.bondedTo.begin(), common, bondedTo.begin());
-    std::copy_n(other.bondedToCloth.begin(), common, bondedToCloth.begin());
+    const std::size_t common = std::min(adheresTo.size(), other.adheresTo.size());
+    std::copy_n(other.adheresTo.begin(), common, adheresTo.begin());
+    std::copy_n(other.adheresToCloth.begin(), common, adheresToCloth.begin());
 }
 
-void Grip::setSurface(const btCollisionObject& solid, const Surface& surface) {
+void Friction::setSurface(const btCollisionObject& solid, const Surface& surface) {
     validate(surface);
     surfaces_[&solid] = surface;
 }
 
-Surface Grip::surfaceAt(const btCollisionObject& solid, btScalar kDF) const {
+Surface Friction::surfaceAt(const btCollisionObject& solid, btScalar kDF) const {
     const auto found = surfaces_.find(&solid);
     if (found != surfaces_.end()) return found->second;
     const double dry = usableFriction(double(kDF) * double(solid.getFriction()));
@@ -54,12 +54,12 @@ Surface Grip::surfaceAt(const btCollisionObject& solid, btScalar kDF) const {
     return {dry, fraction * plate.frictionDamp, fraction * plate.frictionSoaked, plate.wettability};
 }
 
-double Grip::frictionRatio(std::size_t node) const {
+double Friction::frictionRatio(std::size_t node) const {
     const Surface& plate = ofKind(SurfaceKind::plate);
     return plate.frictionDry > 0 ? friction(plate, node) / plate.frictionDry : 1;
 }
 
-double Grip::bondTraction(std::size_t node) const {
+double Friction::adhesionTraction(std::size_t node) const {
     return laws_->clingEnergy(moisture_->saturation(node), moisture_->filmThickness(node)) / reach_;
 }
 
