@@ -30,14 +30,14 @@ class GlObject {
 };
 
 // Names that OpenGL gives out and takes back several at a time.
-template <auto& generate, auto& giveBack>
+template <auto& generate, auto& release>
 struct ListedKind {
     static GLuint create() {
         GLuint name = 0;
         generate(1, &name);
         return name;
     }
-    static void destroy(GLuint name) { giveBack(1, &name); }
+    static void destroy(GLuint name) { release(1, &name); }
 };
 
 template <GLenum stage>

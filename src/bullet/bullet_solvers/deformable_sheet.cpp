@@ -110,7 +110,7 @@ void DeformableSheet::write(btSoftBody& body) {
     for (int n = 0; n < body.m_nodes.size(); ++n) body.m_nodes[n].m_vn = body.m_nodes[n].m_v;
 }
 
-void DeformableSheet::giveBack(btSoftBody& body) {
+void DeformableSheet::restore(btSoftBody& body) {
     refreshAnchors(body);
     if (collisionsReplaced_ &&
         (body.m_cfg.collisions & (Collision::RVSmask | deformableCollisions)) == deformableCollisions)

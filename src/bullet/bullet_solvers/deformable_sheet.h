@@ -41,7 +41,7 @@ class DeformableSheet {
     void write(btSoftBody& body);
 
     /// Ends all that. @pre the body exists and has its own masses again
-    void giveBack(btSoftBody& body);
+    void restore(btSoftBody& body);
 
     /// The end of one whose world may be gone. @param body  none if it is gone as well
     void end(const btSoftBody* body);

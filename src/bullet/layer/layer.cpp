@@ -92,7 +92,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       moisture(fabric, mesh),
       // From here on nothing refuses, and the body may change.
       watch(body, mechanics),
-      taken(body, mechanics),
+      savedState(body, mechanics),
       shelter(world),
       winds(mesh),
       submersion(mesh.size()),
@@ -120,9 +120,9 @@ WetCloth::Layer::~Layer() {
         topology.follow(body);
         keepFaceTree(body);
     }
-    if (bodyIsAlive) taken.giveBack(body, dryMasses());
+    if (bodyIsAlive) savedState.restore(body, dryMasses());
     if (!deformable) return;
-    if (bodyIsAlive) deformable->giveBack(body);
+    if (bodyIsAlive) deformable->restore(body);
     deformable->end(bodyIsAlive ? &body : nullptr);
 }
 
@@ -237,7 +237,7 @@ void WetCloth::Layer::substep(btScalar dt) {
     }
     checkBeforeStep(dt);
     keepPrimed(body, mechanics.shape);
-    taken.silenceAero(body);
+    savedState.silenceAero(body);
     const double bodyStep = bodyStepOf(dt);
     time += bodyStep;
 

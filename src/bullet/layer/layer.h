@@ -19,7 +19,7 @@
 #include "bullet/fluid/submersion.h"
 #include "bullet/fluid/wind_at_nodes.h"
 #include "bullet/layer/account_supply.h"
-#include "bullet/layer/taken_over.h"
+#include "bullet/layer/saved_body_state.h"
 #include "bullet/repair/topology_watch.h"
 #include "bullet/repair/troubles.h"
 #include "bullet/sheet/node_masses.h"
@@ -139,7 +139,7 @@ struct WetCloth::Layer final : TickListener {
     Moisture moisture;
     BodyWatch watch;
     TopologyWatch topology;
-    TakenOver taken;
+    SavedBodyState savedState;
     RigidShelter shelter;
     WindAtNodes winds;
     Submersion submersion;  // of this substep, or since the last one

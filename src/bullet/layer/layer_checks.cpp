@@ -100,7 +100,7 @@ void WetCloth::Layer::refit() {
     // From here on nothing refuses.
     moisture.recut(fabric, cut.mesh, std::move(cut.poreMass), std::move(cut.filmMass));
     mechanics.recut(fabric, std::move(cut.shape), std::move(cut.mesh));
-    taken.recut(body, mechanics, oldAreas, dryMasses());
+    savedState.recut(body, mechanics, oldAreas, dryMasses());
     coordinates = nodeCoordinates(mesh);
     totalArea = std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0);
     winds = WindAtNodes(mesh);

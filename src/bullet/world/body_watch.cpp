@@ -34,7 +34,7 @@ class WatchedShape final : public btSoftBodyCollisionShape {
 
     SheetMechanics& mechanics() { return mechanics_; }
 
-    btCollisionShape* giveBack() {
+    btCollisionShape* restore() {
         copyUserData(*this, *own_);
         return own_.release();
     }
@@ -68,7 +68,7 @@ BodyWatch::BodyWatch(btSoftBody& body, SheetMechanics& mechanics)
 BodyWatch::~BodyWatch() {
     if (!*alive_) return;
     auto* shape = static_cast<WatchedShape*>(body_.getCollisionShape());
-    setShape(body_, shape->giveBack());
+    setShape(body_, shape->restore());
     delete shape;
 }
 

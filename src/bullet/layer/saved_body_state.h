@@ -11,10 +11,10 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-class TakenOver {
+class SavedBodyState {
   public:
     /// Primes the body, keeps what it was, and orders its links by colour, and those of `mechanics` with them.
-    TakenOver(btSoftBody& body, SheetMechanics& mechanics);
+    SavedBodyState(btSoftBody& body, SheetMechanics& mechanics);
 
     /// The same for the body as it is after a cut.
     /// @param mechanics   of the body now, in the order of its links, which this changes
@@ -29,7 +29,7 @@ class TakenOver {
     /// Gives back masses, link constants, link order and aero model. Pins that the application has set or
     /// taken out in the meantime are its decision: a freed node gets the mass in `dryMasses`, and links at
     /// either get the constant that Bullet would give them.
-    void giveBack(btSoftBody& body, const std::vector<double>& dryMasses) const;
+    void restore(btSoftBody& body, const std::vector<double>& dryMasses) const;
 
   private:
     void orderLinks(btSoftBody& body, SheetMechanics& mechanics);

@@ -1,4 +1,4 @@
-#include "bullet/layer/taken_over.h"
+#include "bullet/layer/saved_body_state.h"
 
 #include "bullet/sheet/link_order.h"
 
@@ -24,7 +24,7 @@ std::vector<Value> reordered(const std::vector<Value>& values, const std::vector
 
 }  // namespace
 
-TakenOver::TakenOver(btSoftBody& body, SheetMechanics& mechanics) {
+SavedBodyState::SavedBodyState(btSoftBody& body, SheetMechanics& mechanics) {
     for (int i = 0; i < body.m_links.size(); ++i) linkOrder_.push_back(i);
     prime(body);
     orderLinks(body, mechanics);
@@ -36,7 +36,7 @@ TakenOver::TakenOver(btSoftBody& body, SheetMechanics& mechanics) {
     body.m_cfg.kLF = 0;
 }
 
-void TakenOver::orderLinks(btSoftBody& body, SheetMechanics& mechanics) {
+void SavedBodyState::orderLinks(btSoftBody& body, SheetMechanics& mechanics) {
     const std::vector<int> order = orderOfColours(mechanics.shape);
     reorderLinks(body, order);
     mechanics.shape.links = reordered(mechanics.shape.links, order);
@@ -45,7 +45,7 @@ void TakenOver::orderLinks(btSoftBody& body, SheetMechanics& mechanics) {
     linkOrder_ = reordered(linkOrder_, order);
 }
 
-void TakenOver::recut(btSoftBody& body, SheetMechanics& mechanics, const std::vector<double>& oldAreas,
+void SavedBodyState::recut(btSoftBody& body, SheetMechanics& mechanics, const std::vector<double>& oldAreas,
                       const std::vector<double>& dryMasses) {
     const auto links = static_cast<std::size_t>(body.m_links.size());
     if (links < linkOrder_.size())
@@ -69,14 +69,14 @@ void TakenOver::recut(btSoftBody& body, SheetMechanics& mechanics, const std::ve
     }
 }
 
-void TakenOver::silenceAero(btSoftBody& body) {
+void SavedBodyState::silenceAero(btSoftBody& body) {
     if (body.m_cfg.kDG != 0) drag_ = body.m_cfg.kDG;
     if (body.m_cfg.kLF != 0) lift_ = body.m_cfg.kLF;
     body.m_cfg.kDG = 0;
     body.m_cfg.kLF = 0;
 }
 
-void TakenOver::giveBack(btSoftBody& body, const std::vector<double>& dryMasses) const {
+void SavedBodyState::restore(btSoftBody& body, const std::vector<double>& dryMasses) const {
     body.m_cfg.kDG = drag_;
     body.m_cfg.kLF = lift_;
     // Of a body whose topology has changed nothing else can be told apart any more.
