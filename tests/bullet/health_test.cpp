@@ -19,7 +19,7 @@ struct Mishap {
     Trouble trouble;
     int node;
     std::function<void(AnyWorld&)> happen;
-    std::function<void(AnyWorld&)> mend;  // what the application would do about it
+    std::function<void(AnyWorld&)> repair;  // what the application would do about it
 };
 
 class WrongWind final : public WindField {
@@ -93,7 +93,7 @@ TEST(Health, WhatGoesWrongIsMendedAndReportedOnce) {
             rig.run(1);
             EXPECT_TRUE(rig.cloth().health().finite);
             EXPECT_EQ(rig.cloth().health().troubles, 1);
-            mishap.mend(rig);
+            mishap.repair(rig);
             rig.run(6);
             const TroubleReport report = reportOf(rig.cloth(), mishap.trouble);
             EXPECT_EQ(report.node, mishap.node);

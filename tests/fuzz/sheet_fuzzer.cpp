@@ -149,7 +149,7 @@ class Play {
 
     /// Into the world, with places that Bullet can stand, or out of it.
     void comeOrGo() {
-        if (!inWorld_) mend();
+        if (!inWorld_) repair();
         inWorld_ ? world_->removeSoftBody(*body_) : world_->addSoftBody(*body_);
         inWorld_ = !inWorld_;
     }
@@ -167,14 +167,14 @@ class Play {
         const btScalar dt = btScalar(choices_.oneIn(3)   ? choices_.between(1e-4, 0.1)
                                      : choices_.oneIn(2) ? 1e-3
                                                          : 1 / 60.);
-        if (!accepts([&] { world_->world().stepSimulation(dt, 1, dt); })) return mend();
+        if (!accepts([&] { world_->world().stepSimulation(dt, 1, dt); })) return repair();
         if (inWorld_ && !cloth_->health().finite) fail("the body is not finite");
         const Ledger ledger = cloth_->ledger();
         if (!(std::abs(ledger.imbalance()) <= 1e-6 * ledger.supplied + 1e-15)) fail("water is made or lost");
     }
 
     /// What an application does whose step was refused.
-    void mend() {
+    void repair() {
         world_->world().clearForces();
         for (int n = 0; n < body_->m_nodes.size(); ++n) {
             btSoftBody::Node& node = body_->m_nodes[n];

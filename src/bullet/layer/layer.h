@@ -81,11 +81,11 @@ struct WetCloth::Layer final : TickListener {
     /// Whether the body is the cloth that this knows, as it is made to be if it can.
     bool fitToBody();
     void refit();
-    void mendStranger();
-    void leaveToBullet();
+    void repairUnfitBody();
+    void detach();
     /// Whether the body can have been changed since the last substep; looks at counts only.
     bool fits() const;
-    void mendBody();
+    void repairBody();
     void reportHeldSubsteps();
     void readAir(double bodyStep);
     double bodyStepOf(btScalar dt) const;

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "bullet/layer/layer.h"
-#include "bullet/repair/mending.h"
 #include "bullet/repair/recut.h"
+#include "bullet/repair/repair.h"
 #include "bullet/world/stop_watch.h"
 #include "bullet/world/vectors.h"
 #include "checks/checks.h"
@@ -60,7 +60,7 @@ bool WetCloth::Layer::fits() const {
 bool WetCloth::Layer::fitToBody() {
     topology.follow(body);
     if (mechanics.fits && topology.isAsItWas(body, mechanics.shape)) return true;
-    mendStranger();
+    repairUnfitBody();
     // Whether it can be followed is looked at once, as that takes a while.
     if (mechanics.fits || refused != countsOf(body)) try {
             refused = countsOf(body);
@@ -74,20 +74,20 @@ bool WetCloth::Layer::fitToBody() {
         "the body's nodes, links or faces have changed to what the WetCloth cannot follow (" + whyRefused +
             "); append and cut so that old nodes keep their index and faces have an area, or destroy the "
             "WetCloth before the change and make another after");
-    leaveToBullet();
+    detach();
     return false;
 }
 
 /// What can be mended of a body whatever it has become.
-void WetCloth::Layer::mendStranger() {
-    mendSettings(body, troubles);
-    mendGravity(body, usedGravity, troubles);
+void WetCloth::Layer::repairUnfitBody() {
+    repairSettings(body, troubles);
+    repairGravity(body, usedGravity, troubles);
     if (mechanics.fits) unfitPositions = pose.positionsInWorld();
-    mendNodes(body, unfitPositions, {}, troubles);
+    repairNodes(body, unfitPositions, {}, troubles);
     unfitPositions = positionsOf(body);
 }
 
-void WetCloth::Layer::leaveToBullet() {
+void WetCloth::Layer::detach() {
     mechanics.fits = mechanics.movedBySmallSteps = false;
     prime(body);
     keepFaceTree(body);
@@ -121,19 +121,19 @@ void WetCloth::Layer::refit() {
 void WetCloth::Layer::checkBeforeStep(btScalar dt) {
     // What the application has set up wrongly, which nobody but it can put right.
     if (deformable) deformable->check(world, double(dt));
-    mendBody();
+    repairBody();
     reportHeldSubsteps();
     // The last, as shelter lasts from step to step.
     readAir(bodyStepOf(dt));
 }
 
-void WetCloth::Layer::mendBody() {
-    mendSettings(body, troubles);
-    mendRestLengthScale(body, mechanics.shape, troubles);
-    mendGravity(body, usedGravity, troubles);
+void WetCloth::Layer::repairBody() {
+    repairSettings(body, troubles);
+    repairRestLengthScale(body, mechanics.shape, troubles);
+    repairGravity(body, usedGravity, troubles);
     usedGravity = body.m_worldInfo->m_gravity;
     if (pose.gather(body, mesh)) return;
-    mendNodes(body, pose.positionsInWorld(), mechanics.masses, troubles);
+    repairNodes(body, pose.positionsInWorld(), mechanics.masses, troubles);
     pose.gather(body, mesh);
 }
 

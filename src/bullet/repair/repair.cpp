@@ -1,4 +1,4 @@
-#include "bullet/repair/mending.h"
+#include "bullet/repair/repair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,13 +53,13 @@ bool isOff(double value) {
     return value != 0;  // as NaN is, too
 }
 
-class NodeMender {
+class NodeRepair {
   public:
-    NodeMender(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
+    NodeRepair(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
                Troubles& troubles)
         : body_(body), lastGood_(lastGood), masses_(masses), troubles_(troubles) {}
 
-    void mend(int n) {
+    void repair(int n) {
         btSoftBody::Node& node = body_.m_nodes[n];
         if (const double off = excess(node.m_x, farthestPosition); isOff(off)) repairPosition(n, off);
         if (const double off = excess(node.m_v, fastestNode); isOff(off)) {
@@ -77,7 +77,7 @@ class NodeMender {
                            n, off);
             node.m_f.setZero();
         }
-        if (!(node.m_im >= 0 && node.m_im <= unlimited)) mendMass(n);
+        if (!(node.m_im >= 0 && node.m_im <= unlimited)) repairMass(n);
     }
 
   private:
@@ -109,7 +109,7 @@ class NodeMender {
         return lastGood_.empty() ? btVector3(0, 0, 0) : lastGood_[0];
     }
 
-    void mendMass(int n) {
+    void repairMass(int n) {
         btSoftBody::Node& node = body_.m_nodes[n];
         const auto at = static_cast<std::size_t>(n);
         const double off = double(node.m_im), mass = at < masses_.size() ? masses_[at] : 0;
@@ -129,7 +129,7 @@ class NodeMender {
 
 }  // namespace
 
-void mendSettings(btSoftBody& body, Troubles& troubles) {
+void repairSettings(btSoftBody& body, Troubles& troubles) {
     for (const Setting& setting : settings) {
         btScalar& value = body.m_cfg.*setting.value;
         if (value >= setting.min && value <= setting.max) continue;
@@ -144,7 +144,7 @@ void mendSettings(btSoftBody& body, Troubles& troubles) {
     }
 }
 
-void mendRestLengthScale(btSoftBody& body, const RestShape& shape, Troubles& troubles) {
+void repairRestLengthScale(btSoftBody& body, const RestShape& shape, Troubles& troubles) {
     if (body.m_restLengthScale >= shortestScale && body.m_restLengthScale <= longestScale) return;
     troubles.note(Trouble::bodySetting,
                   textOf("the body's rest length scale is ", body.m_restLengthScale,
@@ -154,7 +154,7 @@ void mendRestLengthScale(btSoftBody& body, const RestShape& shape, Troubles& tro
     writeRestLengths(body, shape);
 }
 
-void mendGravity(btSoftBody& body, const btVector3& lastGood, Troubles& troubles) {
+void repairGravity(btSoftBody& body, const btVector3& lastGood, Troubles& troubles) {
     btVector3& gravity = body.m_worldInfo->m_gravity;
     const double strength = std::hypot(double(gravity.x()), double(gravity.y()), double(gravity.z()));
     if (strength <= strongestGravity) return;
@@ -165,10 +165,10 @@ void mendGravity(btSoftBody& body, const btVector3& lastGood, Troubles& troubles
     gravity = lastGood;
 }
 
-void mendNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
+void repairNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
                Troubles& troubles) {
-    NodeMender mender(body, lastGood, masses, troubles);
-    for (int n = 0; n < body.m_nodes.size(); ++n) mender.mend(n);
+    NodeRepair nodeRepair(body, lastGood, masses, troubles);
+    for (int n = 0; n < body.m_nodes.size(); ++n) nodeRepair.repair(n);
 }
 
 std::vector<btVector3> positionsOf(const btSoftBody& body) {

@@ -13,18 +13,18 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Mends the settings of m_cfg: those that are out of range get Bullet's default.
-void mendSettings(btSoftBody& body, Troubles& troubles);
+void repairSettings(btSoftBody& body, Troubles& troubles);
 
 /// The same for the rest length scale. @pre the body is of that shape
-void mendRestLengthScale(btSoftBody& body, const RestShape& shape, Troubles& troubles);
+void repairRestLengthScale(btSoftBody& body, const RestShape& shape, Troubles& troubles);
 
 /// Mends the gravity of the body's world info. @param lastGood  what it becomes, m/s2
-void mendGravity(btSoftBody& body, const btVector3& lastGood, Troubles& troubles);
+void repairGravity(btSoftBody& body, const btVector3& lastGood, Troubles& troubles);
 
 /// Mends positions, velocities, forces and inverse masses.
 /// @param lastGood  of each node the last good place, m; a node beyond these goes where one is that it is linked to
 /// @param masses    of each node, kg; one beyond these becomes a pin
-void mendNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
+void repairNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
                Troubles& troubles);
 
 /// Where the nodes of a body are, m.
