@@ -82,7 +82,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       body(sheet),
       stepping(settings.stepping),
       waterSpeed(checkedWaterSpeed("SheetSettings::waterSpeed", settings.waterSpeed)),
-      troubles(settings.onTrouble),
+      diagnostics(settings.onTrouble),
       fabric(aFabric),
       mechanics(checkedMechanics(world, body, fabric, settings)),
       mesh(mechanics.mesh),
@@ -229,7 +229,7 @@ void WetCloth::Layer::preTick(btScalar dt) {
 
 void WetCloth::Layer::substep(btScalar dt) {
     if (!(dt > 0) || !std::isfinite(dt)) refuse("a substep of ", dt, " s; give a positive finite time");
-    troubles.begin(time, mechanics.times.substeps);
+    diagnostics.begin(time, mechanics.times.substeps);
     if (!fitToBody()) {
         time += bodyStepOf(dt);
         ++mechanics.times.substeps;
@@ -307,8 +307,8 @@ void WetCloth::Layer::supply(double waterTime) {
         try {
             source->supply(sheet, waterTime, *suppliers[i].supply);
         } catch (const std::exception& problem) {
-            troubles.noteThrown(Trouble::source,
-                                textOf("the source \"", source->name(), "\": ", reasonOf(problem)));
+            diagnostics.noteThrown(Trouble::source,
+                                   textOf("the source \"", source->name(), "\": ", reasonOf(problem)));
         }
     }
 }

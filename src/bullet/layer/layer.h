@@ -20,8 +20,8 @@
 #include "bullet/fluid/wind_at_nodes.h"
 #include "bullet/layer/account_supply.h"
 #include "bullet/layer/saved_body_state.h"
+#include "bullet/repair/diagnostics.h"
 #include "bullet/repair/topology_watch.h"
-#include "bullet/repair/troubles.h"
 #include "bullet/sheet/node_masses.h"
 #include "bullet/sheet/pose.h"
 #include "bullet/sheet/sheet_mechanics.h"
@@ -124,7 +124,7 @@ struct WetCloth::Layer final : TickListener {
     btSoftBody& body;                // exists while the watch says so
     const Stepping stepping;
     double waterSpeed;
-    Troubles troubles;
+    Diagnostics diagnostics;
     int objectsChecked = 0;  // collision objects in the world when it was last looked through for planes
     Air air;
     Air usedAir;                                 // the last that was in range

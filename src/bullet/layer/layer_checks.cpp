@@ -69,7 +69,7 @@ bool WetCloth::Layer::fitToBody() {
         } catch (const std::invalid_argument& problem) {
             whyRefused = reasonOf(problem);
         }
-    troubles.note(
+    diagnostics.note(
         Trouble::topology,
         "the body's nodes, links or faces have changed to what the WetCloth cannot follow (" + whyRefused +
             "); append and cut so that old nodes keep their index and faces have an area, or destroy the "
@@ -80,10 +80,10 @@ bool WetCloth::Layer::fitToBody() {
 
 /// What can be mended of a body whatever it has become.
 void WetCloth::Layer::repairUnfitBody() {
-    repairSettings(body, troubles);
-    repairGravity(body, usedGravity, troubles);
+    repairSettings(body, diagnostics);
+    repairGravity(body, usedGravity, diagnostics);
     if (mechanics.fits) unfitPositions = pose.positionsInWorld();
-    repairNodes(body, unfitPositions, {}, troubles);
+    repairNodes(body, unfitPositions, {}, diagnostics);
     unfitPositions = positionsOf(body);
 }
 
@@ -128,22 +128,22 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) {
 }
 
 void WetCloth::Layer::repairBody() {
-    repairSettings(body, troubles);
-    repairRestLengthScale(body, mechanics.shape, troubles);
-    repairGravity(body, usedGravity, troubles);
+    repairSettings(body, diagnostics);
+    repairRestLengthScale(body, mechanics.shape, diagnostics);
+    repairGravity(body, usedGravity, diagnostics);
     usedGravity = body.m_worldInfo->m_gravity;
     if (pose.gather(body, mesh)) return;
-    repairNodes(body, pose.positionsInWorld(), mechanics.masses, troubles);
+    repairNodes(body, pose.positionsInWorld(), mechanics.masses, diagnostics);
     pose.gather(body, mesh);
 }
 
 void WetCloth::Layer::reportHeldSubsteps() {
     if (std::exchange(heldSubsteps, mechanics.heldSubsteps) == mechanics.heldSubsteps) return;
-    troubles.note(Trouble::motion,
-                  textOf("the small steps of the last substep took node ", mechanics.heldNode,
-                         " to a position that is not finite, or over 1e7 m from the origin, so the sheet "
-                         "stayed where it was, at rest; look for extreme forces, speeds or obstacles"),
-                  mechanics.heldNode);
+    diagnostics.note(Trouble::motion,
+                     textOf("the small steps of the last substep took node ", mechanics.heldNode,
+                            " to a position that is not finite, or over 1e7 m from the origin, so the sheet "
+                            "stayed where it was, at rest; look for extreme forces, speeds or obstacles"),
+                     mechanics.heldNode);
 }
 
 void WetCloth::Layer::readAir(double bodyStep) {
@@ -155,15 +155,15 @@ void WetCloth::Layer::readAir(double bodyStep) {
         validate(air);
         usedAir = air;
     } catch (const std::exception& problem) {
-        troubles.noteThrown(Trouble::air, problem.what());
+        diagnostics.noteThrown(Trouble::air, problem.what());
     }
     try {
         winds.evaluate(usedAir, {pose, toEigen(pose.origin), time, bodyStep, world});
     } catch (const std::exception& problem) {
         const std::string why = reasonOf(problem);
         const bool isNamed = why.find("wind field") != std::string::npos;  // as by Drench's own checks
-        troubles.noteThrown(Trouble::air,
-                            isNamed ? why : textOf("the wind field in WetCloth::air().field: ", why));
+        diagnostics.noteThrown(Trouble::air,
+                               isNamed ? why : textOf("the wind field in WetCloth::air().field: ", why));
     }
     mechanics.times.air += watchOfWind.lap();
 }

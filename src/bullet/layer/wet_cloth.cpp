@@ -167,15 +167,15 @@ SheetHealth WetCloth::health() const {
             mechanics.heldSubsteps,
             fits,
             layer_->refits,
-            static_cast<int>(layer_->troubles.reports().size())};
+            static_cast<int>(layer_->diagnostics.reports().size())};
 }
 
 const std::vector<TroubleReport>& WetCloth::troubles() const {
-    return layer_->troubles.reports();
+    return layer_->diagnostics.reports();
 }
 
 void WetCloth::clearTroubles() {
-    layer_->troubles.clear();
+    layer_->diagnostics.clear();
 }
 
 StepTimes WetCloth::times() const {

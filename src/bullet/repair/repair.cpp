@@ -56,25 +56,26 @@ bool isOff(double value) {
 class NodeRepair {
   public:
     NodeRepair(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
-               Troubles& troubles)
-        : body_(body), lastGood_(lastGood), masses_(masses), troubles_(troubles) {}
+               Diagnostics& diagnostics)
+        : body_(body), lastGood_(lastGood), masses_(masses), diagnostics_(diagnostics) {}
 
     void repair(int n) {
         btSoftBody::Node& node = body_.m_nodes[n];
         if (const double off = excess(node.m_x, farthestPosition); isOff(off)) repairPosition(n, off);
         if (const double off = excess(node.m_v, fastestNode); isOff(off)) {
-            troubles_.note(Trouble::velocity,
-                           textOf("node ", n, " has a velocity of ", sixDigits(off),
-                                  " m/s along an axis; what gave it to it should give a finite one, up to ",
-                                  fastestNode, " m/s"),
-                           n, off);
+            diagnostics_.note(
+                Trouble::velocity,
+                textOf("node ", n, " has a velocity of ", sixDigits(off),
+                       " m/s along an axis; what gave it to it should give a finite one, up to ", fastestNode,
+                       " m/s"),
+                n, off);
             node.m_v.setZero();
         }
         if (const double off = excess(node.m_f, double(unlimited)); isOff(off)) {
-            troubles_.note(Trouble::force,
-                           textOf("node ", n, " has a force of ", sixDigits(off),
-                                  " N along an axis; what adds to its m_f should add finite forces"),
-                           n, off);
+            diagnostics_.note(Trouble::force,
+                              textOf("node ", n, " has a force of ", sixDigits(off),
+                                     " N along an axis; what adds to its m_f should add finite forces"),
+                              n, off);
             node.m_f.setZero();
         }
         if (!(node.m_im >= 0 && node.m_im <= unlimited)) repairMass(n);
@@ -83,7 +84,7 @@ class NodeRepair {
   private:
     void repairPosition(int n, double off) {
         btSoftBody::Node& node = body_.m_nodes[n];
-        troubles_.note(
+        diagnostics_.note(
             Trouble::position,
             textOf("node ", n, " is at ", sixDigits(off),
                    " m along an axis; a force, an obstacle or a setting has blown the sheet up in the "
@@ -113,61 +114,62 @@ class NodeRepair {
         btSoftBody::Node& node = body_.m_nodes[n];
         const auto at = static_cast<std::size_t>(n);
         const double off = double(node.m_im), mass = at < masses_.size() ? masses_[at] : 0;
-        troubles_.note(Trouble::mass,
-                       textOf("node ", n, " has an inverse mass of ", sixDigits(off),
-                              " /kg; leave masses to Drench, and set "
-                              "m_im = 0 for a pin"),
-                       n, off);
+        diagnostics_.note(Trouble::mass,
+                          textOf("node ", n, " has an inverse mass of ", sixDigits(off),
+                                 " /kg; leave masses to Drench, and set "
+                                 "m_im = 0 for a pin"),
+                          n, off);
         node.m_im = mass > 0 ? btScalar(1 / mass) : 0;
     }
 
     btSoftBody& body_;
     const std::vector<btVector3>& lastGood_;
     const std::vector<double>& masses_;
-    Troubles& troubles_;
+    Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-void repairSettings(btSoftBody& body, Troubles& troubles) {
+void repairSettings(btSoftBody& body, Diagnostics& diagnostics) {
     for (const Setting& setting : settings) {
         btScalar& value = body.m_cfg.*setting.value;
         if (value >= setting.min && value <= setting.max) continue;
-        troubles.note(Trouble::bodySetting,
-                      textOf("the body's m_cfg.", setting.name, " is ", value, "; give ",
-                             setting.min > 0 ? "a positive finite number (to pause a sheet, do not step it)"
-                             : setting.min == 0 ? "a finite number of at least 0"
-                                                : "a finite number",
-                             ", as Bullet does with ", setting.standard),
-                      -1, double(value));
+        diagnostics.note(
+            Trouble::bodySetting,
+            textOf("the body's m_cfg.", setting.name, " is ", value, "; give ",
+                   setting.min > 0    ? "a positive finite number (to pause a sheet, do not step it)"
+                   : setting.min == 0 ? "a finite number of at least 0"
+                                      : "a finite number",
+                   ", as Bullet does with ", setting.standard),
+            -1, double(value));
         value = setting.standard;
     }
 }
 
-void repairRestLengthScale(btSoftBody& body, const RestShape& shape, Troubles& troubles) {
+void repairRestLengthScale(btSoftBody& body, const RestShape& shape, Diagnostics& diagnostics) {
     if (body.m_restLengthScale >= shortestScale && body.m_restLengthScale <= longestScale) return;
-    troubles.note(Trouble::bodySetting,
-                  textOf("the body's rest length scale is ", body.m_restLengthScale,
-                         "; give setRestLengthScale a positive finite number, 1 for the cloth as it is"),
-                  -1, double(body.m_restLengthScale));
+    diagnostics.note(Trouble::bodySetting,
+                     textOf("the body's rest length scale is ", body.m_restLengthScale,
+                            "; give setRestLengthScale a positive finite number, 1 for the cloth as it is"),
+                     -1, double(body.m_restLengthScale));
     body.m_restLengthScale = 1;
     writeRestLengths(body, shape);
 }
 
-void repairGravity(btSoftBody& body, const btVector3& lastGood, Troubles& troubles) {
+void repairGravity(btSoftBody& body, const btVector3& lastGood, Diagnostics& diagnostics) {
     btVector3& gravity = body.m_worldInfo->m_gravity;
     const double strength = std::hypot(double(gravity.x()), double(gravity.y()), double(gravity.z()));
     if (strength <= strongestGravity) return;
-    troubles.note(Trouble::gravity,
-                  textOf("the gravity of the body's world info is ", sixDigits(strength),
-                         " m/s2; give a finite one, at most 10000, in getWorldInfo()->m_gravity"),
-                  -1, strength);
+    diagnostics.note(Trouble::gravity,
+                     textOf("the gravity of the body's world info is ", sixDigits(strength),
+                            " m/s2; give a finite one, at most 10000, in getWorldInfo()->m_gravity"),
+                     -1, strength);
     gravity = lastGood;
 }
 
 void repairNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
-               Troubles& troubles) {
-    NodeRepair nodeRepair(body, lastGood, masses, troubles);
+                 Diagnostics& diagnostics) {
+    NodeRepair nodeRepair(body, lastGood, masses, diagnostics);
     for (int n = 0; n < body.m_nodes.size(); ++n) nodeRepair.repair(n);
 }
 

@@ -11,9 +11,9 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Keeps one report for each kind of trouble, so that they stay few however long it lasts.
-class Troubles {
+class Diagnostics {
   public:
-    explicit Troubles(OnTrouble policy) : policy_(policy) {}
+    explicit Diagnostics(OnTrouble policy) : policy_(policy) {}
 
     /// Says when what follows happens.
     void begin(double time, std::int64_t substep) {

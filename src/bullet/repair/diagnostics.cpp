@@ -1,4 +1,4 @@
-#include "bullet/repair/troubles.h"
+#include "bullet/repair/diagnostics.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -8,17 +8,17 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-void Troubles::note(Trouble what, const std::string& message, int node, double value) {
+void Diagnostics::note(Trouble what, const std::string& message, int node, double value) {
     if (throws()) refuse<std::runtime_error>(message);
     write(what, message, node, value);
 }
 
-void Troubles::noteThrown(Trouble what, const std::string& message) {
+void Diagnostics::noteThrown(Trouble what, const std::string& message) {
     if (throws()) throw;
     write(what, message, -1, 0);
 }
 
-void Troubles::write(Trouble what, const std::string& message, int node, double value) {
+void Diagnostics::write(Trouble what, const std::string& message, int node, double value) {
     auto report = std::find_if(reports_.begin(), reports_.end(),
                                [what](const TroubleReport& known) { return known.what == what; });
     if (report == reports_.end()) {
