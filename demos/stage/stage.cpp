@@ -9,8 +9,8 @@ namespace drench::demo {
 
 namespace {
 
-SmallSteps smallStepsOf(const SolverDescription& solver) {
-    SmallSteps steps;
+SmallStepSettings smallStepsOf(const SolverDescription& solver) {
+    SmallStepSettings steps;
     steps.count = solver.smallSteps;
     return steps;
 }

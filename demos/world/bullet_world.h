@@ -35,14 +35,14 @@ class BulletWorld : public SceneWorld {
 /// A solver that is there before the world, and after it.
 class OwnSolver {
   protected:
-    explicit OwnSolver(const SmallSteps& settings) : solver_(settings) {}
+    explicit OwnSolver(const SmallStepSettings& settings) : solver_(settings) {}
     SmallStepSolver solver_;
 };
 
 /// With Drench's solver for its sheets.
 class SmallStepWorld final : private OwnSolver, public BulletWorld {
   public:
-    explicit SmallStepWorld(const SmallSteps& settings) : OwnSolver(settings), BulletWorld(&solver_) {}
+    explicit SmallStepWorld(const SmallStepSettings& settings) : OwnSolver(settings), BulletWorld(&solver_) {}
 
     /// One: the solver divides it as it needs to.
     int substepsFor(double, double, int) const override { return 1; }

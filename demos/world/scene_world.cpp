@@ -50,7 +50,7 @@ void SceneWorld::step(double frameTime, int substeps) {
     for (int i = 0; i < substeps; ++i) world().stepSimulation(substep, variableStep);
 }
 
-std::unique_ptr<SceneWorld> makeWorld(WorldKind kind, SolverKind solver, const SmallSteps& steps) {
+std::unique_ptr<SceneWorld> makeWorld(WorldKind kind, SolverKind solver, const SmallStepSettings& steps) {
     if (kind == WorldKind::deformable) return std::make_unique<DeformableWorld>();
     if (solver == SolverKind::smallStep) return std::make_unique<SmallStepWorld>(steps);
     return std::make_unique<BulletWorld>();

@@ -70,6 +70,6 @@ class SceneWorld {
 double meanStrain(const btSoftBody& body);
 
 /// An empty world. @param solver, steps  count in a soft-rigid world only
-std::unique_ptr<SceneWorld> makeWorld(WorldKind kind, SolverKind solver, const SmallSteps& steps = {});
+std::unique_ptr<SceneWorld> makeWorld(WorldKind kind, SolverKind solver, const SmallStepSettings& steps = {});
 
 }  // namespace drench::demo

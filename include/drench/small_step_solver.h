@@ -12,7 +12,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// Settings of a SmallStepSolver: into how many small steps it divides each of Bullet's substeps. ("Small step" is what
 /// Macklin et al. call a substep; "substep" always means one of Bullet's.)
-struct SmallSteps {
+struct SmallStepSettings {
     /// Number of small steps per substep; 1 to 1000, or 0 (default): chosen automatically from `stretchTolerance` and
     /// the bending rigidity, at least 4. All sheets of a world use the largest number that any of them needs.
     int count = 0;
@@ -67,13 +67,13 @@ struct SmallSteps {
 class DRENCH_API SmallStepSolver final : public btDefaultSoftBodySolver {
   public:
     /// @throws std::invalid_argument for a count or tolerance out of range
-    explicit SmallStepSolver(const SmallSteps& settings = {});
+    explicit SmallStepSolver(const SmallStepSettings& settings = {});
     ~SmallStepSolver() override;
     SmallStepSolver(const SmallStepSolver&) = delete;
     SmallStepSolver& operator=(const SmallStepSolver&) = delete;
 
     /// Settings given to the constructor.
-    const SmallSteps& settings() const;
+    const SmallStepSettings& settings() const;
     /// Number of small steps of the last substep; 0 before the first, or without sheets.
     int steps() const;
     /// Instruction set of the inner loops: "AVX2", "baseline vectors" or "scalar".

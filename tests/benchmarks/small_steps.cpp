@@ -117,8 +117,8 @@ class Hanging {
     int steps() const { return solver_.steps(); }
 
   private:
-    static SmallSteps settings(int steps) {
-        SmallSteps settings;
+    static SmallStepSettings settings(int steps) {
+        SmallStepSettings settings;
         settings.count = steps;
         return settings;
     }

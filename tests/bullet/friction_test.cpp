@@ -62,7 +62,7 @@ TEST(Friction, ClingHoldsOnASlopeWhatFrictionAloneWouldNot) {
 }
 
 /// How far a sheet that touches a ceiling has come down after a second, m.
-double fallFromCeiling(double clingOverWeight, double wettability, SmallSteps steps) {
+double fallFromCeiling(double clingOverWeight, double wettability, SmallStepSettings steps) {
     Fabric fabric = fabrics::cottonPlain();
     constexpr int nodes = 21;
     constexpr double side = 0.1;
@@ -95,7 +95,7 @@ class Peel {
   public:
     static constexpr double length = 0.3, width = 0.05, plateMass = 20;
 
-    Peel(double spacing, double clingEnergy, SmallSteps steps) : rig_(steps) {
+    Peel(double spacing, double clingEnergy, SmallStepSettings steps) : rig_(steps) {
         Fabric fabric = fabrics::cottonPlain();
         fabric.clingEnergy = clingEnergy;
         rig_.setGravity({0, 0, 0});
@@ -264,4 +264,4 @@ TEST(Friction, ATurningBallCarriesWetClothRound) {
 }
 
 }  // namespace
-}  // namespace drench::grip_test
+}  // namespace drench::friction_test

@@ -66,16 +66,17 @@ TEST(Messages, SettersOfSheetsChangeNothing) {
 
 TEST(Messages, SettingsOfSmallSteps) {
     const auto refusalOf = [](int count, double tolerance) {
-        SmallSteps settings;
+        SmallStepSettings settings;
         settings.count = count;
         settings.stretchTolerance = tolerance;
         return refusal([&] { SmallStepSolver solver(settings); });
     };
     for (const Value& each : wrong)
-        EXPECT_EQ(refusalOf(0, each.value),
-                  std::string("drench: SmallSteps::stretchTolerance is ") + each.text + "; give 1e-5 to 1");
-    EXPECT_EQ(refusalOf(0, 1e-7), "drench: SmallSteps::stretchTolerance is 1e-7; give 1e-5 to 1");
-    EXPECT_EQ(refusalOf(-3, 0.01), "drench: SmallSteps::count is -3; give 1 to 1000, or 0 to have it chosen");
+        EXPECT_EQ(refusalOf(0, each.value), std::string("drench: SmallStepSettings::stretchTolerance is ") +
+                                                each.text + "; give 1e-5 to 1");
+    EXPECT_EQ(refusalOf(0, 1e-7), "drench: SmallStepSettings::stretchTolerance is 1e-7; give 1e-5 to 1");
+    EXPECT_EQ(refusalOf(-3, 0.01),
+              "drench: SmallStepSettings::count is -3; give 1 to 1000, or 0 to have it chosen");
 }
 
 TEST(Messages, WaterOfSheetsAndDrops) {

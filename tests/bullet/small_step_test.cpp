@@ -26,7 +26,7 @@ Fabric springs(double stretch) {
 }
 
 /// Lets a sheet with `water` times its own mass of water come to rest under its upper edge.
-Outcome inBullet(const Fabric& fabric, double water, const SmallSteps& steps) {
+Outcome inBullet(const Fabric& fabric, double water, const SmallStepSettings& steps) {
     test::SmallStepWorld rig(steps);
     btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabric, side, nodes));
     SheetSettings settings;
@@ -54,7 +54,7 @@ class SmallStepSag : public testing::TestWithParam<Resolved> {};
 
 TEST_P(SmallStepSag, AndStrainAreThoseOfAnIndependentSolverAtRest) {
     const Fabric fabric = springs(GetParam().stretch);
-    const SmallSteps steps{GetParam().steps, 0.01};
+    const SmallStepSettings steps{GetParam().steps, 0.01};
     const Outcome single = inBullet(fabric, 0, steps), singleAtRest = atRest(fabric, 0);
     for (const int times : {1, 2, 3}) {
         const Outcome found = inBullet(fabric, times - 1, steps), expected = atRest(fabric, times - 1);

@@ -101,7 +101,7 @@ double strainAtRest(int nodes, int steps, bool tethers, double stretch) {
     Fabric fabric = fabrics::cottonPlain();
     fabric.stretchWarp = fabric.stretchWeft = stretch;
     fabric.shear = std::min(60.0, 0.1 * stretch);
-    SmallSteps settings;
+    SmallStepSettings settings;
     settings.count = steps;
     settings.tethers = tethers;
     test::SmallStepWorld rig(settings);
@@ -251,12 +251,12 @@ TEST(SmallStepTouch, HealthKnowsThatBulletMovesTheSheetAgain) {
 
 TEST(SmallStepTouch, SettingsOutOfRangeAreRefused) {
     for (const int count : {-1, 1001}) {
-        SmallSteps settings;
+        SmallStepSettings settings;
         settings.count = count;
         EXPECT_THROW(SmallStepSolver{settings}, std::invalid_argument) << count;
     }
     for (const double tolerance : {0.0, -1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
-        SmallSteps settings;
+        SmallStepSettings settings;
         settings.stretchTolerance = tolerance;
         EXPECT_THROW(SmallStepSolver{settings}, std::invalid_argument) << tolerance;
     }

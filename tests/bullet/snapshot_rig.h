@@ -16,7 +16,7 @@ namespace drench::test {
 
 enum class Mover { smallSteps, stock, explicitSteps, implicitSteps };
 
-inline std::unique_ptr<demo::SceneWorld> worldFor(Mover mover, const SmallSteps& steps = {}) {
+inline std::unique_ptr<demo::SceneWorld> worldFor(Mover mover, const SmallStepSettings& steps = {}) {
     if (mover == Mover::smallSteps)
         return demo::makeWorld(demo::WorldKind::softRigid, demo::SolverKind::smallStep, steps);
     if (mover == Mover::stock) return demo::makeWorld(demo::WorldKind::softRigid, demo::SolverKind::stock);
@@ -29,7 +29,7 @@ inline std::unique_ptr<demo::SceneWorld> worldFor(Mover mover, const SmallSteps&
 /// A world with sheets of which snapshots are taken together.
 class WetScene {
   public:
-    explicit WetScene(Mover mover, const SmallSteps& steps = {})
+    explicit WetScene(Mover mover, const SmallStepSettings& steps = {})
         : mover_(mover), world_(worldFor(mover, steps)) {}
     ~WetScene() {
         cloths_.clear();

@@ -143,7 +143,7 @@ TEST(SnapshotRun, FiveHundredStepsOnAFile) {
 
 /// Held by one edge, level at first, and now on its way down.
 std::unique_ptr<WetScene> tethered(Mover mover) {
-    SmallSteps steps;
+    SmallStepSettings steps;
     steps.count = 6;
     steps.tethers = true;
     auto scene = std::make_unique<WetScene>(mover, steps);

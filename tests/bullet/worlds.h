@@ -73,7 +73,7 @@ class FreeSheet {
 /// A world whose sheets a SmallStepSolver moves, and the sheets and their cloth, which leave it before it goes.
 class SmallStepWorld {
   public:
-    explicit SmallStepWorld(const SmallSteps& steps = {}) : solver_(steps), bullet_(&solver_) {}
+    explicit SmallStepWorld(const SmallStepSettings& steps = {}) : solver_(steps), bullet_(&solver_) {}
     ~SmallStepWorld() {
         cloths_.clear();
         for (const auto& body : bodies_) bullet_.world().removeSoftBody(body.get());

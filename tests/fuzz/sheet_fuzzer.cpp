@@ -45,7 +45,7 @@ class Play {
 
   private:
     std::unique_ptr<demo::SceneWorld> randomWorld() {
-        SmallSteps steps;
+        SmallStepSettings steps;
         steps.count = choices_.whole(0, 12);
         steps.tethers = choices_.oneIn(2);
         const bool deforms = choices_.oneIn(3), isStock = choices_.oneIn(2);

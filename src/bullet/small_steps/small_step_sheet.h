@@ -42,7 +42,7 @@ class SmallStepSheet {
     /// Reads where the body is, what pulls at it, and what the water has made of it.
     void begin(const btSoftBody& body, const SheetMechanics& mechanics, double substep);
 
-    /// As many steps of the substep as resolve stretch, to a tolerance, and bending; see SmallSteps.
+    /// As many steps of the substep as resolve stretch, to a tolerance, and bending; see SmallStepSettings.
     int wantedSteps(const SheetMechanics& mechanics, double stretchTolerance) const;
 
     /// Makes ready for so many steps.

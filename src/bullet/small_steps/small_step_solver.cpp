@@ -22,11 +22,11 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-const SmallSteps& checked(const SmallSteps& settings) {
+const SmallStepSettings& checked(const SmallStepSettings& settings) {
     if (settings.count < 0 || settings.count > 1000)
-        refuse("SmallSteps::count is ", settings.count, "; give 1 to 1000, or 0 to have it chosen");
+        refuse("SmallStepSettings::count is ", settings.count, "; give 1 to 1000, or 0 to have it chosen");
     if (!(settings.stretchTolerance >= 1e-5 && settings.stretchTolerance <= 1))
-        refuse("SmallSteps::stretchTolerance is ", settings.stretchTolerance, "; give 1e-5 to 1");
+        refuse("SmallStepSettings::stretchTolerance is ", settings.stretchTolerance, "; give 1e-5 to 1");
     return settings;
 }
 
@@ -147,7 +147,7 @@ void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth, const Fr
 }  // namespace
 
 struct SmallStepSolver::State {
-    explicit State(const SmallSteps& theSettings) : settings(checked(theSettings)) {}
+    explicit State(const SmallStepSettings& theSettings) : settings(checked(theSettings)) {}
 
     struct Solving {
         btSoftBody* body;
@@ -163,7 +163,7 @@ struct SmallStepSolver::State {
     /// Books time that sheets share.
     void share(double StepTimes::*stage, double seconds);
 
-    const SmallSteps settings;
+    const SmallStepSettings settings;
     Solids solids;
     SoftContacts softContacts;
     std::vector<Solving> sheets;  // during a solve
@@ -171,11 +171,12 @@ struct SmallStepSolver::State {
     int steps = 0;
 };
 
-SmallStepSolver::SmallStepSolver(const SmallSteps& settings) : state_(std::make_unique<State>(settings)) {}
+SmallStepSolver::SmallStepSolver(const SmallStepSettings& settings)
+    : state_(std::make_unique<State>(settings)) {}
 
 SmallStepSolver::~SmallStepSolver() = default;
 
-const SmallSteps& SmallStepSolver::settings() const {
+const SmallStepSettings& SmallStepSolver::settings() const {
     return state_->settings;
 }
 

@@ -18,7 +18,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 class Tethers {
   public:
     /// Lays tethers to the pins, if those have changed, and makes them as long as the water's weight asks for.
-    /// @param stretchTolerance  of SmallSteps, 1
+    /// @param stretchTolerance  of SmallStepSettings, 1
     void begin(const btSoftBody& body, const SheetMechanics& mechanics, double stretchTolerance);
     void solve(SmallStepSheet& sheet) const;
 
