@@ -134,7 +134,7 @@ struct PoolDescription {
     bool isBounded() const { return (to - from).maxCoeff() <= 1e3; }
 };
 
-/// Water put on the cloth within a circle; see drench::Soak.
+/// Water put on the cloth within a circle; see drench::TimedSoak.
 struct SoakDescription {
     Eigen::Vector2d centre{0, 0};  ///< from the corner along warp and weft
     double radius = 1e9;

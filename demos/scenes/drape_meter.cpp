@@ -106,7 +106,7 @@ void DrapeMeter::addDisc(const std::string& name, double fractionOfSaturation, c
         std::make_unique<SceneCloth>(stage().world(), name, fabric,
                                      makeDisc(stage().world().worldInfo(), fabric, mesh, centre), settings));
     disc.setDamping(fallDamping);
-    disc.wet().presoak(fractionOfSaturation * fabric.poreCapacity());
+    disc.wet().soakPores(fractionOfSaturation * fabric.poreCapacity());
     // Between the plates of the instrument the cloth cannot move.
     std::mt19937 random(scene.seed);
     std::uniform_real_distribution<double> offset(-roughness, roughness);

@@ -52,7 +52,7 @@ SceneCloth::SceneCloth(SceneWorld& world, const SheetDescription& description, u
             description_.state.reset();
         } else {
             if (description_.slack > 0) takeUpSlack();
-            wet_->presoak(description_.saturation * fabric_.poreCapacity() + description_.presoak);
+            wet_->soakPores(description_.saturation * fabric_.poreCapacity() + description_.presoak);
         }
     } catch (...) {
         wet_.reset();

@@ -31,7 +31,7 @@ struct Begin {
                                         sheet.name() + "'; give it a larger radius");
         double area = 0;
         for (const std::size_t node : nodes) area += sheet.wet().moisture().area(node);
-        return sheet.wet().add(Soak(nodes, soak.massPerArea * area, soak.duration));
+        return sheet.wet().add(TimedSoak(nodes, soak.massPerArea * area, soak.duration));
     }
     Source& operator()(const BrushDescription& brush) const {
         return sheet.wet().add(Brush(brush.centre, brush.radius, brush.rate));

@@ -150,7 +150,7 @@ void pourWater(Simulation& simulation) {
     if (ImGui::Button("soak: +50 g/m2"))
         simulation.post([](Scene& scene) {
             constexpr double portion = 0.05;  // kg/m2
-            for (WetCloth* const cloth : wettable(scene)) cloth->soak(portion);
+            for (WetCloth* const cloth : wettable(scene)) cloth->soakFilm(portion);
         });
 }
 

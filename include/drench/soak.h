@@ -29,20 +29,20 @@ struct DRENCH_API Mask {
 DRENCH_API Mask readMask(const std::filesystem::path& path);
 
 /// Adds a given mass of film water, to chosen nodes or in the pattern of a picture, all at once or over a time.
-class DRENCH_API Soak final : public Source {
+class DRENCH_API TimedSoak final : public Source {
   public:
     /// Distributes water over nodes in proportion to their rest area; duplicate indices count once.
     /// @param mass      of all the water, kg; 0 to 1e6
     /// @param duration  s of water time; 0 to 1e9; default 0, all in the first step
     /// @throws std::invalid_argument for a value out of range, or no nodes; when the source is added, also for nodes
     ///     without any area, and std::out_of_range for a node that does not exist
-    Soak(std::vector<std::size_t> nodes, double mass, double duration = 0);
+    TimedSoak(std::vector<std::size_t> nodes, double mass, double duration = 0);
     /// Distributes water in the pattern of a picture that covers the bounding rectangle of the material coordinates:
     /// u to the right, v up.
     /// @param massPerArea  where the picture is white, kg per m2 of cloth; 0 to 1000; black gets none
     /// @param duration     s of water time; 0 to 1e9; default 0, all in the first step
     /// @throws std::invalid_argument for a mask without pixels, with values below 0 or above 1, or a value out of range
-    static Soak picture(Mask mask, double massPerArea, double duration = 0);
+    static TimedSoak picture(Mask mask, double massPerArea, double duration = 0);
 
     std::string name() const override { return "soak"; }
     void supply(const SheetPose& sheet, double dt, Supply& supply) override;
@@ -52,7 +52,7 @@ class DRENCH_API Soak final : public Source {
     bool finished() const { return given_ >= 1; }
 
   private:
-    Soak() = default;
+    TimedSoak() = default;
     void weigh(const SheetPose& sheet);
     void weighNodes(const ClothMesh& mesh);
     void weighPicture(const ClothMesh& mesh);

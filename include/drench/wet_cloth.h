@@ -174,14 +174,14 @@ class DRENCH_API WetCloth {
     /// The same for water that moves with the node.
     void addWater(int node, double mass);
 
-    /// Adds film water to all nodes at once; it moves with the cloth. The source `Soak` does so over a time, or on
+    /// Adds film water to all nodes at once; it moves with the cloth. The source `TimedSoak` does so over a time, or on
     /// chosen nodes.
     /// @param massPerArea  kg per m2 of cloth; 0 to 1000
     /// @throws std::invalid_argument for a value out of range
-    void soak(double massPerArea);
+    void soakFilm(double massPerArea);
 
-    /// Adds pore water to all nodes at once; what the pores cannot hold becomes film. Otherwise as `soak`.
-    void presoak(double massPerArea);
+    /// Adds pore water to all nodes at once; what the pores cannot hold becomes film. Otherwise as `soakFilm`.
+    void soakPores(double massPerArea);
 
     /// Returns the drops that fell since the last call, oldest first; at most the last 100,000.
     std::vector<Drop> takeDrops();

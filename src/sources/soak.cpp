@@ -11,13 +11,13 @@ namespace {
 
 void checkMask(const Mask& mask) {
     mask.at(0, 0);  // refuses a mask without pixels
-    for (const float value : mask.values) checkRange("a value of a Soak's mask", value, "", 0, 1);
+    for (const float value : mask.values) checkRange("a value of a TimedSoak's mask", value, "", 0, 1);
 }
 
 void refuseMissingNodes(const std::vector<std::size_t>& nodes, std::size_t size) {
     for (const std::size_t node : nodes)
         if (node >= size)
-            refuse<std::out_of_range>("a Soak was given node ", node, " of a sheet of ", size,
+            refuse<std::out_of_range>("a TimedSoak was given node ", node, " of a sheet of ", size,
                                       "; nodes count from 0");
 }
 
@@ -45,28 +45,28 @@ std::vector<double> valuesOfNodes(const Mask& mask, const ClothMesh& mesh) {
 
 }  // namespace
 
-Soak::Soak(std::vector<std::size_t> nodes, double mass, double duration)
+TimedSoak::TimedSoak(std::vector<std::size_t> nodes, double mass, double duration)
     : nodes_(std::move(nodes)), amount_(mass), duration_(duration) {
-    checkRange("the mass of a Soak", mass, "kg", 0, 1e6);
-    checkRange("the duration of a Soak", duration, "s", 0, 1e9);
-    if (nodes_.empty()) refuse("a Soak has no nodes; give at least one");
+    checkRange("the mass of a TimedSoak", mass, "kg", 0, 1e6);
+    checkRange("the duration of a TimedSoak", duration, "s", 0, 1e9);
+    if (nodes_.empty()) refuse("a TimedSoak has no nodes; give at least one");
     // A node that is named twice is still one node.
     std::sort(nodes_.begin(), nodes_.end());
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
 }
 
-Soak Soak::picture(Mask mask, double massPerArea, double duration) {
+TimedSoak TimedSoak::picture(Mask mask, double massPerArea, double duration) {
     checkMask(mask);
-    checkRange("the mass per area of a Soak", massPerArea, "kg/m2", 0, 1000);
-    checkRange("the duration of a Soak", duration, "s", 0, 1e9);
-    Soak soak;
+    checkRange("the mass per area of a TimedSoak", massPerArea, "kg/m2", 0, 1000);
+    checkRange("the duration of a TimedSoak", duration, "s", 0, 1e9);
+    TimedSoak soak;
     soak.mask_ = std::move(mask);
     soak.amount_ = massPerArea;
     soak.duration_ = duration;
     return soak;
 }
 
-void Soak::supply(const SheetPose& sheet, double dt, Supply& supply) {
+void TimedSoak::supply(const SheetPose& sheet, double dt, Supply& supply) {
     checkStep(dt);
     if (!weighed_) weigh(sheet);
     if (dt == 0 || finished()) return;
@@ -80,18 +80,18 @@ void Soak::supply(const SheetPose& sheet, double dt, Supply& supply) {
     given_ = next;
 }
 
-void Soak::save(StateWriter& writer) const {
+void TimedSoak::save(StateWriter& writer) const {
     writer.write(given_);
 }
 
-void Soak::load(StateReader& reader) {
+void TimedSoak::load(StateReader& reader) {
     const auto given = reader.read<double>();
     if (!(given >= 0 && given <= 1))
-        refuse<std::runtime_error>("a Soak cannot have given ", given, " of its water");
+        refuse<std::runtime_error>("a TimedSoak cannot have given ", given, " of its water");
     given_ = given;
 }
 
-void Soak::weigh(const SheetPose& sheet) {
+void TimedSoak::weigh(const SheetPose& sheet) {
     if (mask_.width > 0)
         weighPicture(sheet.mesh);
     else
@@ -99,16 +99,17 @@ void Soak::weigh(const SheetPose& sheet) {
     weighed_ = true;
 }
 
-void Soak::weighNodes(const ClothMesh& mesh) {
+void TimedSoak::weighNodes(const ClothMesh& mesh) {
     refuseMissingNodes(nodes_, mesh.size());
     double total = 0;
     for (const std::size_t node : nodes_) total += mesh.areas[node];
-    if (!(total > 0)) refuse("none of the nodes of a Soak has cloth; choose nodes whose area is above 0");
+    if (!(total > 0))
+        refuse("none of the nodes of a TimedSoak has cloth; choose nodes whose area is above 0");
     masses_.reserve(nodes_.size());
     for (const std::size_t node : nodes_) masses_.push_back(amount_ * (mesh.areas[node] / total));
 }
 
-void Soak::weighPicture(const ClothMesh& mesh) {
+void TimedSoak::weighPicture(const ClothMesh& mesh) {
     const std::vector<double> values = valuesOfNodes(mask_, mesh);
     for (std::size_t node = 0; node < values.size(); ++node) {
         const double mass = amount_ * mesh.areas[node] * values[node];

@@ -66,7 +66,7 @@ class Hanging {
         if (withBall) ball_ = &bullet_.addBall({0, btScalar(-0.5), btScalar(0.5)}, ballRadius, 0);
         if (mover != Mover::smallSteps) return;
         cloth_ = std::make_unique<WetCloth>(bullet_.world(), *sheet_, fabric_);
-        cloth_->soak(wetness);
+        cloth_->soakFilm(wetness);
     }
     ~Hanging() { bullet_.world().removeSoftBody(sheet_.get()); }
     Hanging(const Hanging&) = delete;

@@ -34,7 +34,7 @@ TEST(Abuse, SubstepsOfAnyLength) {
         for (const double dt : {1e-6, 1e-5, 0.1, 0.5, 2.0}) {
             SCOPED_TRACE(std::string(test::nameOf(mover)) + ", " + std::to_string(dt));
             AnyWorld rig(mover);
-            rig.cloth().soak(0.2);
+            rig.cloth().soakFilm(0.2);
             rig.cloth().air().wind = {0, 0, 3};
             for (int i = 0; i < 20; ++i) rig.world().stepSimulation(btScalar(dt), variableStep);
             for (int i = 0; i < 20; ++i) rig.world().stepSimulation(btScalar(1.0 / 60), variableStep);
@@ -47,7 +47,7 @@ TEST(Abuse, SubstepsThatAreNoTimeAreRefusedWithNothingChanged) {
     SheetSettings settings;
     settings.stepping = Stepping::byApplication;
     AnyWorld rig(Mover::smallSteps, settings);
-    rig.cloth().soak(0.2);
+    rig.cloth().soakFilm(0.2);
     rig.cloth().preSubstep(btScalar(0.01));
     const double pores = rig.cloth().moisture().totalPoreMass();
     for (const btScalar dt : {btScalar(0), btScalar(-1), nan, std::numeric_limits<btScalar>::infinity()})
@@ -72,7 +72,7 @@ TEST(Abuse, GravityAndWindBeyondAllMeasure) {
         for (const double strength : {1e3, 9e3, 1e6, 1e30}) {
             SCOPED_TRACE(std::string(test::nameOf(mover)) + ", " + std::to_string(strength));
             AnyWorld rig(mover);
-            rig.cloth().soak(0.2);
+            rig.cloth().soakFilm(0.2);
             rig.run(3);
             rig.info().m_gravity.setValue(0, btScalar(-strength), 0);
             rig.cloth().air().wind = {strength, 0, strength / 2};
@@ -89,7 +89,7 @@ TEST(Abuse, WithoutGravity) {
     for (const Mover mover : test::movers) {
         AnyWorld rig(mover);
         rig.info().m_gravity.setZero();
-        rig.cloth().soak(0.3);
+        rig.cloth().soakFilm(0.3);
         rig.cloth().add(Rain(100));
         rig.run(60);
         expectSound(rig);
@@ -104,7 +104,7 @@ TEST(Abuse, SolidsOfAnyMassMeetTheSheet) {
         btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabrics::cottonPlain(), 0.5, 13, 0));
         for (int i = 0; i < 13; ++i) sheet.m_nodes[i].m_im = sheet.m_nodes[12 * 13 + i].m_im = 0;
         WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain());
-        cloth.soak(0.2);
+        cloth.soakFilm(0.2);
         btRigidBody& ball = rig.bullet().addBall({0, btScalar(0.2), 0}, 0.05, mass);
         ball.setActivationState(DISABLE_DEACTIVATION);
         rig.run(1);
@@ -119,7 +119,7 @@ TEST(Abuse, MassesThatAnApplicationGivesTheBodyCountForNothing) {
     for (const Mover mover : test::movers)
         for (const double mass : {1e-6, 1e6}) {
             AnyWorld rig(mover);
-            rig.cloth().presoak(0.2);
+            rig.cloth().soakPores(0.2);
             rig.run(10);
             for (int i = 0; i < 10; ++i) {
                 rig.sheet().setTotalMass(btScalar(mass), i % 2 == 0);
@@ -148,7 +148,7 @@ TEST(Abuse, ASheetOfAnySizeAnywhere) {
         btSoftBody& sheet = rig.add(std::move(made));
         WetCloth& cloth = rig.cover(sheet, fabric);
         sheet.translate({position, 0, position});
-        cloth.soak(0.2);
+        cloth.soakFilm(0.2);
         cloth.air().wind = {0, 0, 2};
         rig.run(1);
         EXPECT_TRUE(cloth.health().finite);
@@ -174,7 +174,7 @@ TEST(Abuse, SheetsOfATenthOfAMillimetreAreMadeAndSmallerOnesAndTonsOfWaterRefuse
                                   flatCorners({0, 0, 0}, {size, 0, 0}, {0, -size, 0}), 5, 5);
             btSoftBody& sheet = rig.add(std::move(made));
             WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain());
-            cloth.soak(0.1);
+            cloth.soakFilm(0.1);
             rig.run(0.2);
             EXPECT_TRUE(cloth.health().finite);
             EXPECT_LT(test::ledgerError(cloth), 1e-12);
@@ -226,7 +226,7 @@ TEST(Abuse, WhatAnApplicationMayDoToABodyInFlight) {
         for (std::size_t act = 0; act < std::size(acts); ++act) {
             SCOPED_TRACE(std::string(test::nameOf(mover)) + ", act " + std::to_string(act));
             AnyWorld rig(mover);
-            rig.cloth().soak(0.2);
+            rig.cloth().soakFilm(0.2);
             rig.run(5);
             acts[act](rig);
             rig.run(60);
@@ -247,7 +247,7 @@ TEST(Abuse, RandomActsInRandomOrder) {
                 const int node = static_cast<int>(random() % 81);
                 switch (random() % 14) {
                     case 0:
-                        cloth.soak(0.05);
+                        cloth.soakFilm(0.05);
                         break;
                     case 1:
                         cloth.addWater(node, 1e-3, {1, 2, 3});
@@ -274,7 +274,7 @@ TEST(Abuse, RandomActsInRandomOrder) {
                         cloth.account("pool").takeFilm(std::size_t(node), 1e-4);
                         break;
                     case 9:
-                        cloth.add(Soak({std::size_t(node)}, 1e-3));
+                        cloth.add(TimedSoak({std::size_t(node)}, 1e-3));
                         break;
                     case 10:
                         cloth.takeDrops();
@@ -314,7 +314,7 @@ void comeAndGo(btDynamicsWorld* world, btScalar) {
             break;
         case 2:
             comings.cloth = std::make_unique<WetCloth>(soft, *comings.body, fabrics::silk());
-            comings.cloth->soak(0.1);
+            comings.cloth->soakFilm(0.1);
             break;
         case 3:  // Bullet has already listed it for this substep, so it may not end yet
             soft.removeSoftBody(comings.body.get());
@@ -334,7 +334,7 @@ TEST(Abuse, BodiesAndLayersComeAndGoInTheApplicationsCallback) {
         constexpr bool preTick = true;
         rig.world().setInternalTickCallback(comeAndGo, &comings, preTick);
         rig.clothOwner() = std::make_unique<WetCloth>(rig.world(), rig.sheet(), fabrics::cottonPlain());
-        rig.cloth().soak(0.1);
+        rig.cloth().soakFilm(0.1);
         rig.run(20);
         EXPECT_EQ(comings.calls, 20);
         expectSound(rig);
@@ -353,7 +353,7 @@ TEST(Abuse, AHundredSheets) {
         sheet->translate({btScalar(column), 0, btScalar(0.04 * row)});
         sheet->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
         cloths.push_back(&rig.cover(rig.add(std::move(sheet)), fabric));
-        cloths.back()->soak(0.002 * i);
+        cloths.back()->soakFilm(0.002 * i);
     }
     rig.run(0.5);
     for (const WetCloth* cloth : cloths) {

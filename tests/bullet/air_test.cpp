@@ -51,7 +51,7 @@ TEST(Air, APermeableSheetLetsSomeThroughAndAWetOneLess) {
     const double dry = double(force(rig, 1e-7).y());
     // Solve v = u - (5 / 100) * 0.72 v^2 by hand: v = 4.3262 m/s, pressure 13.476 Pa.
     EXPECT_NEAR(dry, 13.476, 0.01);
-    rig.cloth().soak(gauze.poreCapacity());
+    rig.cloth().soakFilm(gauze.poreCapacity());
     for (int i = 0; i < 30; ++i) force(rig, 1);
     EXPECT_NEAR(double(force(rig, 1e-7).y()), 0.72 * 25, 0.05);
 }
@@ -83,7 +83,7 @@ TEST(Air, DragOfAFixedSheetKnowsNothingOfItsMass) {
     for (const double water : {0.0, 0.05, 0.2}) {
         FreeSheet rig(airtight());
         rig.cloth().air().vapourExchange = 0;
-        rig.cloth().presoak(water);
+        rig.cloth().soakPores(water);
         for (int n = 0; n < rig.sheet().m_nodes.size(); ++n) rig.sheet().m_nodes[n].m_im = 0;
         for (const double speed : {0.5, 1.0, 3.0, 10.0, 30.0}) {
             rig.cloth().air().wind = {0, speed, 0};
@@ -137,7 +137,7 @@ TEST(Air, DeflectsAHingedPanelAsFarAsItShould) {
             test::SmallStepWorld rig;
             btSoftBody& body = rig.add(panel(rig.info()));
             WetCloth& cloth = rig.cover(body, board());
-            cloth.presoak(water);
+            cloth.soakPores(water);
             cloth.air().vapourExchange = 0;
             cloth.air().wind = {0, 0, speed};
             rig.run(6);
@@ -155,7 +155,7 @@ TEST(Air, AStrongerWindNeverDeflectsASheetLess) {
             test::SmallStepWorld rig;
             btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabrics::cottonPlain(), 0.5, 17));
             WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain());
-            cloth.presoak(water);
+            cloth.soakPores(water);
             cloth.air().vapourExchange = 0;
             cloth.air().wind = {0, 0, speed};
             rig.run(3);

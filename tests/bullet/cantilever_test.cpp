@@ -170,7 +170,7 @@ TEST(Cantilever, SoakedClothBendsOverAShorterLength) {
     ASSERT_LT(expected, 0.7 * theory(fabric.bending, fabric.arealDensity));
     for (const Direction along : {Direction::warp, Direction::weft}) {
         Strip strip(fabric, 2 * expected, along);
-        strip.cloth().presoak(content * fabric.arealDensity);
+        strip.cloth().soakPores(content * fabric.arealDensity);
         strip.run(3);
         const double found = bendingLength(2 * expected, strip.tipAngle());
         EXPECT_NEAR(found / expected, 1, 0.05);

@@ -69,7 +69,7 @@ class TwoSheets {
                 world_->addSoftBody(sheet);
             cloths_[i] = std::make_unique<WetCloth>(world_->world(), sheet, fabric_, settings);
             const double saturation = i == 0 ? saturationAbove : saturationBelow;
-            if (saturation > 0) cloths_[i]->presoak(saturation * fabric_.poreCapacity());
+            if (saturation > 0) cloths_[i]->soakPores(saturation * fabric_.poreCapacity());
         }
     }
 

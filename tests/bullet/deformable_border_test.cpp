@@ -43,7 +43,7 @@ TEST(DeformableWorld, RefusesStepsThatWouldBlowUp) {
         EXPECT_EQ(sheet->m_nodes[100].m_x, before);
         EXPECT_EQ(errorOf(bullet, bound), "");
 
-        cloth.soak(0.2);  // heavier, but it will dry
+        cloth.soakFilm(0.2);  // heavier, but it will dry
         EXPECT_EQ(errorOf(bullet, bound), "");
         EXPECT_EQ(cloth.stepBound(), bound);
         EXPECT_NE(errorOf(bullet, 1.1 * bound), "");
@@ -121,7 +121,7 @@ TEST(DeformableWorld, AnchorsFollowTheMass) {
     const int substeps = 27;
     {
         WetCloth cloth(bullet.world(), *sheet, fabric);
-        cloth.presoak(0.3);
+        cloth.soakPores(0.3);
         for (int i = 0; i < 30; ++i) bullet.step(1.0 / 60, substeps);
         EXPECT_EQ(sheet->m_deformableAnchors[0].m_c2, sheet->m_nodes[0].m_im);
         EXPECT_NEAR(1 / double(sheet->m_nodes[0].m_im), cloth.nodeMass(0), 1e-9);
@@ -188,7 +188,7 @@ struct Ending {
         body->updateConstants();  // as Bullet does in its next step
         fields = test::changedFields(*body);
         cloth = std::make_unique<WetCloth>(bullet.world(), *body, constantStiffness(100));
-        cloth->soak(0.1);
+        cloth->soakFilm(0.1);
         step();
         EXPECT_EQ(bullet.wetForces(), 1);
         EXPECT_NE(test::changedFields(*body), fields);

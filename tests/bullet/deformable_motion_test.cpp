@@ -35,7 +35,7 @@ TEST_P(InBothModes, FallsFreely) {
     {
         WetCloth cloth(bullet.world(), *sheet, fabric);
         cloth.air().vapourExchange = 0;
-        cloth.presoak(0.1);
+        cloth.soakPores(0.1);
         constexpr double time = 0.1;
         bullet.step(time, static_cast<int>(std::ceil(time / longestStep(cloth))));
         // Edge on, so that the air hardly brakes it.
@@ -95,7 +95,7 @@ TEST_P(InBothModes, DriesWithoutBlowingUp) {
         settings.waterSpeed = 1e4;
         WetCloth cloth(bullet.world(), *sheet, fabric, settings);
         cloth.air().humidity = 0.1;
-        cloth.soak(0.4);
+        cloth.soakFilm(0.4);
         const double dt = longestStep(cloth);
         double wet = 0;
         for (double time = 0; time < 3; time += 1.0 / 60) {
@@ -156,7 +156,7 @@ TEST_P(InBothModes, AWetSheetRestsOnABall) {
     {
         WetCloth cloth(bullet.world(), *sheet, fabric);
         cloth.air().vapourExchange = 0;
-        cloth.presoak(fabric.arealDensity);
+        cloth.soakPores(fabric.arealDensity);
         WetBody& wet = cloth.add(WetBody(ball));
         wet.filmThickness = 1e-4;
         const int substeps = GetParam() == Mode::implicitSteps
@@ -191,7 +191,7 @@ TEST(DeformableWorld, ImplicitCurtainIsBlownAgainstABall) {
     bullet.add(*sheet);
     {
         WetCloth cloth(bullet.world(), *sheet, fabrics::cottonPlain());
-        cloth.presoak(0.1);
+        cloth.soakPores(0.1);
         cloth.air().wind = {0, 0, 4};
         int touched = 0;
         double closest = 1;
@@ -223,7 +223,7 @@ TEST(DeformableWorld, SheetsThatTouchShareTheirWater) {
     const auto lower = level(0), upper = level(0.01);
     {
         WetCloth wet(bullet.world(), *lower, fabric), dry(bullet.world(), *upper, fabric);
-        wet.presoak(0.1);
+        wet.soakPores(0.1);
         const double before = dry.waterMass();
         dry.add(Touch(wet));
         for (int i = 0; i < 10; ++i) bullet.step(1.0 / 60, 27);

@@ -103,11 +103,13 @@ inline bool hangsByCorners(int node) {
 }
 
 inline void pinCorners(btSoftBody& sheet) {
-    for (int n = 0; n < nodesAlongEdge; ++n) sheet.m_nodes[n].m_im = hangsByCorners(n) ? btScalar(0) : btScalar(1);
+    for (int n = 0; n < nodesAlongEdge; ++n)
+        sheet.m_nodes[n].m_im = hangsByCorners(n) ? btScalar(0) : btScalar(1);
 }
 
 inline Outcome outcomeOf(const btSoftBody& sheet) {
-    Outcome outcome{-side - double(sheet.m_nodes[nodesAlongEdge / 2 + nodesAlongEdge * (nodesAlongEdge - 1)].m_x.y()), 0};
+    Outcome outcome{
+        -side - double(sheet.m_nodes[nodesAlongEdge / 2 + nodesAlongEdge * (nodesAlongEdge - 1)].m_x.y()), 0};
     outcome.meanStrain = meanStrain(sheet);
     return outcome;
 }
@@ -121,7 +123,7 @@ inline Outcome inBullet(Mode mode, const Fabric& fabric, double water) {
     SheetSettings settings;
     settings.waterSpeed = 0;  // the solver knows no water that runs down
     WetCloth cloth(bullet.world(), *sheet, fabric, settings);
-    cloth.presoak(water * fabric.arealDensity);
+    cloth.soakPores(water * fabric.arealDensity);
     constexpr double time = 2;
     const double dt = mode == Mode::implicitSteps ? 1.0 / 120 : cloth.stepBound();
     const int steps = static_cast<int>(std::ceil(time / dt));
@@ -137,9 +139,11 @@ inline Outcome inBullet(Mode mode, const Fabric& fabric, double water) {
 
 /// The same sheet put together from the textile formulas alone and solved at rest in double precision.
 inline Outcome atRest(const Fabric& fabric, double water) {
-    const auto problem = hangingGrid(fabric, side, nodesAlongEdge, fabric.arealDensity * (1 + water), hangsByCorners);
+    const auto problem =
+        hangingGrid(fabric, side, nodesAlongEdge, fabric.arealDensity * (1 + water), hangsByCorners);
     const auto x = solveStatic(problem);
-    return {-side - x[std::size_t(nodesAlongEdge / 2 + nodesAlongEdge * (nodesAlongEdge - 1))].y(), meanStrain(problem, x)};
+    return {-side - x[std::size_t(nodesAlongEdge / 2 + nodesAlongEdge * (nodesAlongEdge - 1))].y(),
+            meanStrain(problem, x)};
 }
 
 }  // namespace drench::test

@@ -66,7 +66,7 @@ TEST(Fluid, SoakedClothSinksAtItsTerminalVelocityInAnySubstep) {
         SmallStepWorld rig;
         btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabric, 0.3, 7, 0));
         WetCloth& cloth = rig.cover(sheet, fabric);
-        cloth.presoak(soaking(fabric));
+        cloth.soakPores(soaking(fabric));
         cloth.add(Pool(10));
         rig.run(15, frameTime);
         const double from = meanHeight(sheet);
@@ -171,7 +171,7 @@ TEST(Fluid, BuoyancyIsTheWeightOfFibrePoresAndFilm) {
         settings.stepping = Stepping::byApplication;
         settings.waterSpeed = 0;
         WetCloth& cloth = rig.cover(sheet, fabric, settings);
-        cloth.presoak(water);
+        cloth.soakPores(water);
         cloth.add(Pool(100));
         cloth.preSubstep(btScalar(1.0 / 60));
         double lift = 0;
@@ -191,7 +191,7 @@ TEST(Fluid, ClothLetGoUnderWaterStartsAgainstTheWaterThatGoesAlong) {
         const Fabric fabric = airtight();
         btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabric, 0.5, 9, 0));
         WetCloth& cloth = rig.cover(sheet, fabric);
-        cloth.presoak(soaking(fabric));
+        cloth.soakPores(soaking(fabric));
         cloth.add(Pool(10));
         const double mass = 0.150 + soaking(fabric), net = mass - displacedBy(fabric);
         const double expected = net * gravity / (mass + 78.54);
@@ -218,7 +218,7 @@ double sag(double strength, bool underWater) {
     SheetSettings settings;
     settings.waterSpeed = 0;
     WetCloth& cloth = rig.cover(sheet, fabric, settings);
-    cloth.presoak(soaking(fabric));
+    cloth.soakPores(soaking(fabric));
     if (underWater) cloth.add(Pool(10));
     rig.run(30);
     EXPECT_LT(test::fastest(sheet), 1e-3);
@@ -242,7 +242,7 @@ double forceAfterLanding(double substep, double time) {
     settings.stepping = Stepping::byApplication;
     settings.waterSpeed = 0;
     WetCloth& cloth = rig.cover(sheet, fabric, settings);
-    cloth.presoak(soaking(fabric));
+    cloth.soakPores(soaking(fabric));
     cloth.add(Pool(100));
     double force = 0;
     const int landing = static_cast<int>(std::lround(2 / substep));
@@ -281,7 +281,7 @@ TEST(Fluid, AHammockThatIsPulledThroughTheWaterFlattensOnceItStops) {
         SheetSettings settings;
         settings.waterSpeed = 0;
         WetCloth& cloth = rig.cover(sheet, fabric, settings);
-        cloth.presoak(soaking(fabric));
+        cloth.soakPores(soaking(fabric));
         cloth.add(Pool(10));
         const auto sagAfter = [&](double time, double pull) {
             for (int i = 0; i < std::lround(time / frameTime); ++i) {

@@ -28,7 +28,7 @@ double slideWet(const Fabric& fabric, double water, const Surface& surface) {
     cloth.setSurface(box, surface);
     rig.run(1.0 / 60);  // so that it lies, and does not drip
     test::setVelocity(sheet, {0, 0, 0});
-    cloth.presoak(water);
+    cloth.soakPores(water);
     cloth.preSubstep(btScalar(1e-6));
     rig.run(2);
     const btVector3 down = slope.getBasis() * btVector3(-1, 0, 0);
@@ -75,7 +75,7 @@ double fallFromCeiling(double clingOverWeight, double wettability, SmallStepSett
     sheet.translate({0, -sheet.getCollisionShape()->getMargin() + btScalar(1e-4), 0});
     const double start = test::lowest(sheet);
     WetCloth& cloth = rig.cover(sheet, fabric, test::withoutAir());
-    cloth.presoak(water);
+    cloth.soakPores(water);
     cloth.setSurface(ceiling, {0.3, 0.3, 0.3, wettability});
     cloth.preSubstep(btScalar(1e-6));
     rig.run(1);
@@ -110,7 +110,7 @@ class Peel {
             along_, across_));
         sheet_->translate({0, sheet_->getCollisionShape()->getMargin() - btScalar(1e-4), 0});
         WetCloth& cloth = rig_.cover(*sheet_, fabric, test::withoutAir());
-        cloth.presoak(0.6 * fabric.poreCapacity());
+        cloth.soakPores(0.6 * fabric.poreCapacity());
         cloth.setSurface(*plate_, {1, 1, 1, 1});
         cloth.preSubstep(btScalar(1e-6));
         rig_.run(0.1);
@@ -192,7 +192,7 @@ double fallFromCloth(double clingOverWeight, bool isUpperWet, bool isLowerWet) {
     for (btSoftBody* body : {&upper, &lower}) {
         body->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
         WetCloth& cloth = rig.cover(*body, fabric, test::withoutAir());
-        if (body == &upper ? isUpperWet : isLowerWet) cloth.presoak(water);
+        if (body == &upper ? isUpperWet : isLowerWet) cloth.soakPores(water);
         cloth.preSubstep(btScalar(1e-6));
     }
     rig.run(0.5);
@@ -242,7 +242,7 @@ double leftBehind(double fractionOfSaturation) {
     btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabric, 0.2, 21, radius + 0.006));
     WetCloth& cloth = rig.cover(sheet, fabric);
     cloth.air().vapourExchange = 0;
-    cloth.presoak(fractionOfSaturation * fabric.poreCapacity());
+    cloth.soakPores(fractionOfSaturation * fabric.poreCapacity());
     cloth.setSurface(ball, SurfaceKind::plate);
     rig.run(0.5);
     const btVector3& middle = sheet.m_nodes[sheet.m_nodes.size() / 2].m_x;

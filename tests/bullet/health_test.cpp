@@ -87,7 +87,7 @@ TEST(Health, WhatGoesWrongIsMendedAndReportedOnce) {
         for (const Mishap& mishap : mishaps()) {
             SCOPED_TRACE(std::string(test::nameOf(mover)) + ", " + mishap.name);
             AnyWorld rig(mover);
-            rig.cloth().soak(0.1);
+            rig.cloth().soakFilm(0.1);
             rig.run(6);
             mishap.happen(rig);
             rig.run(1);
@@ -116,7 +116,7 @@ TEST(Health, AnApplicationMayHaveItThrownWithNothingChanged) {
         for (const Mishap& mishap : mishaps()) {
             SCOPED_TRACE(std::string(test::nameOf(mover)) + ", " + mishap.name);
             AnyWorld rig(mover, settings);
-            rig.cloth().soak(0.1);
+            rig.cloth().soakFilm(0.1);
             rig.run(2);
             const double pores = rig.cloth().moisture().totalPoreMass();
             mishap.happen(rig);
@@ -145,7 +145,7 @@ TEST(Health, ANodeThatIsLostComesBackToItsPlaceAtRest) {
 TEST(Health, AWholeSheetThatIsLostComesBack) {
     for (const Mover mover : test::movers) {
         AnyWorld rig(mover);
-        rig.cloth().soak(0.2);
+        rig.cloth().soakFilm(0.2);
         rig.run(30);
         for (int n = 0; n < rig.sheet().m_nodes.size(); ++n) rig.sheet().m_nodes[n].m_x.setValue(nan, 0, nan);
         rig.run(60);
@@ -179,7 +179,7 @@ TEST(Health, ASourceThatThrowsBringsWhatItBroughtBefore) {
         AnyWorld rig(mover);
         rig.cloth().air().vapourExchange = 0;
         rig.cloth().add(WrongSource());
-        rig.cloth().add(Soak({7}, 1e-3));
+        rig.cloth().add(TimedSoak({7}, 1e-3));
         rig.run(10);
         EXPECT_NEAR(rig.cloth().ledger().supplied, 10e-4 + 1e-3, 1e-12) << "the other sources go on";
         EXPECT_LT(test::ledgerError(rig.cloth()), 1e-12);
@@ -212,7 +212,7 @@ TEST(Health, ASubstepThatComesToNothingIsHeldAndReported) {
 TEST(Health, AHealthySheetHasNoTroubles) {
     for (const Mover mover : test::movers) {
         AnyWorld rig(mover);
-        rig.cloth().soak(0.2);
+        rig.cloth().soakFilm(0.2);
         rig.cloth().air().wind = {0, 0, 5};
         rig.run(60);
         EXPECT_TRUE(rig.cloth().troubles().empty())

@@ -32,7 +32,7 @@ TEST(PreTick, TheApplicationsCallbackAndUserInfoGoOnWorking) {
     rig.world().setInternalTickCallback(applicationCallback, &application, preTick);
     {
         WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
-        cloth.soak(0.1);
+        cloth.soakFilm(0.1);
         rig.bullet().step(0.1, 10);
         EXPECT_EQ(application.calls, 10);
         EXPECT_EQ(application.world, &rig.world());
@@ -54,8 +54,8 @@ TEST(PreTick, ACallbackThatTheApplicationSetsLaterIsTakenUpByTheNextLayer) {
         WetCloth first(rig.world(), rig.sheet(), fabrics::cottonPlain());
         rig.world().setInternalTickCallback(applicationCallback, &application, preTick);
         WetCloth later(rig.world(), *second, fabrics::cottonPlain());
-        first.soak(0.1);
-        later.soak(0.1);
+        first.soakFilm(0.1);
+        later.soakFilm(0.1);
         rig.bullet().step(0.1, 10);
         EXPECT_EQ(application.calls, 10);
         EXPECT_GT(first.moisture().totalPoreMass(), 0.0);
@@ -91,12 +91,12 @@ TEST(PreTick, AnApplicationMayChainOntoTheLayerAndThenMakeAnother) {
     WetCloth first(rig.world(), rig.sheet(), fabrics::cottonPlain());
     callbackFoundInTheSlot = Slot::of(rig.world());
     rig.world().setInternalTickCallback(callbackThatChainsOn, &application, preTick);
-    first.soak(0.1);
+    first.soakFilm(0.1);
     rig.bullet().step(0.1, 10);
     EXPECT_EQ(callsBefore, 10);
     EXPECT_EQ(application.calls, 10);
     WetCloth later(rig.world(), *second, fabrics::cottonPlain());
-    later.soak(0.1);
+    later.soakFilm(0.1);
     rig.bullet().step(0.1, 10);
     EXPECT_EQ(callsBefore, 20);
     EXPECT_EQ(application.calls, 20);
@@ -129,7 +129,7 @@ TEST(PreTick, ACallbackThatWasWithdrawnIsNotCalled) {
     cloth.reset();
     rig.world().setInternalTickCallback(nullptr, &application, preTick);
     cloth.emplace(rig.world(), rig.sheet(), fabrics::cottonPlain());
-    cloth->soak(0.1);
+    cloth->soakFilm(0.1);
     rig.bullet().step(0.1, 10);
     EXPECT_EQ(application.calls, 0);
     EXPECT_GT(cloth->moisture().totalPoreMass(), 0.0);
@@ -155,7 +155,7 @@ struct OneAddress {
     }
     void cover() {
         cloth = std::make_unique<WetCloth>(world->world(), *sheet, fabrics::cottonPlain());
-        cloth->soak(0.1);
+        cloth->soakFilm(0.1);
     }
 };
 
@@ -234,7 +234,7 @@ struct Ending {
         shape = body->getCollisionShape();
         cloth = std::make_unique<WetCloth>(world->world(), *body, fabrics::cottonPlain());
         cloth->air().vapourExchange = 0;
-        cloth->soak(0.1);
+        cloth->soakFilm(0.1);
         world->step(0.05, 10);
         EXPECT_NE(test::changedFields(*body), fields);
         EXPECT_NE(body->getCollisionShape(), shape);

@@ -27,7 +27,7 @@ Outcome inBullet(const Fabric& fabric, double water, double dt) {
     SheetSettings settings;
     settings.waterSpeed = 0;  // the solver knows no water that runs down
     WetCloth cloth(bullet.world(), *sheet, fabric, settings);
-    cloth.presoak(water * fabric.arealDensity);
+    cloth.soakPores(water * fabric.arealDensity);
     sheet->m_cfg.kDP = btScalar(3 * dt);
     constexpr double duration = 5;  // s
     bullet.step(duration, static_cast<int>(duration / dt));
@@ -73,7 +73,7 @@ TEST(Mechanics, DryingByHalfInOneStepDoesNotBlowUp) {
     test::SheetWorld rig(test::smallSheet);
     {
         WetCloth soaked(rig.world(), rig.sheet(), fabrics::cottonPlain());
-        soaked.soak(0.35);
+        soaked.soakFilm(0.35);
         for (int i = 0; i < 30; ++i) rig.bullet().step(1.0 / 60, 16);
     }
     double before = 0;
@@ -94,7 +94,7 @@ TEST(Mechanics, SixtyFourSquaredWithBulletsDefaultsSurvivesTenSeconds) {
         bullet.world().addSoftBody(sheet.get());
         ASSERT_EQ(sheet->m_cfg.piterations, 1);
         WetCloth cloth(bullet.world(), *sheet, fabrics::cottonPlain());
-        cloth.soak(0.1);
+        cloth.soakFilm(0.1);
         bullet.step(10, 600);
         EXPECT_TRUE(test::isFinite(*sheet));
         for (int n = 0; n < sheet->m_nodes.size(); ++n)

@@ -37,7 +37,7 @@ std::string refusal(const std::function<void()>& act) {
 
 TEST(Messages, SettingsOfSheetsSayTheValueAndWhatToGive) {
     AnyWorld rig(Mover::smallSteps);
-    rig.cloth().soak(0.1);
+    rig.cloth().soakFilm(0.1);
     rig.run(2);
     rig.clothOwner().reset();
     for (const Value& each : wrong) {
@@ -53,12 +53,12 @@ TEST(Messages, SettingsOfSheetsSayTheValueAndWhatToGive) {
 
 TEST(Messages, SettersOfSheetsChangeNothing) {
     AnyWorld rig(Mover::stock);
-    rig.cloth().soak(0.1);
+    rig.cloth().soakFilm(0.1);
     const double pores = rig.cloth().moisture().totalPoreMass();
     for (const Value& each : wrong) {
         EXPECT_EQ(refusal([&] { rig.cloth().setWaterSpeed(each.value); }),
                   std::string("drench: the water speed is ") + each.text + "; give a value from 0 to 100000");
-        EXPECT_EQ(refusal([&] { rig.cloth().soak(each.value); }),
+        EXPECT_EQ(refusal([&] { rig.cloth().soakFilm(each.value); }),
                   std::string("drench: soaking with ") + each.text + " kg/m2; give a value from 0 to 1000");
         EXPECT_EQ(rig.cloth().moisture().totalPoreMass(), pores);
     }
@@ -81,7 +81,7 @@ TEST(Messages, SettingsOfSmallSteps) {
 
 TEST(Messages, WaterOfSheetsAndDrops) {
     AnyWorld rig(Mover::stock);
-    rig.cloth().soak(0.1);
+    rig.cloth().soakFilm(0.1);
     const double water = rig.cloth().waterMass();
     FallingDrops drops(rig.world());
     btCollisionObject tray;

@@ -23,7 +23,7 @@ int main() {
     say("made");
     drench::WetCloth& cloth = rig.cover(sheet, drench::fabrics::cottonPlain());
     say("attached");
-    cloth.soak(0.3);
+    cloth.soakFilm(0.3);
     for (int step = 0; step < 3; ++step) {
         rig.run(1.0 / 60);
         say("stepped");

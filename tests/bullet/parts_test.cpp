@@ -110,7 +110,7 @@ TEST(Parts, ACeilingOfPartsHoldsAClothOnce) {
             btSoftBody& sheet = block.rig.add(test::levelSheet(block.rig.info(), fabric, side, nodes, 0));
             sheet.translate({btScalar(0.013), -sheet.getCollisionShape()->getMargin() + btScalar(1e-4), 0});
             WetCloth& cloth = block.rig.cover(sheet, fabric, test::withoutAir());
-            cloth.presoak(water);
+            cloth.soakPores(water);
             cloth.preSubstep(btScalar(1e-6));
             block.rig.run(0.5);
             if (clingOverWeight > 1)
@@ -128,7 +128,7 @@ TEST(Parts, LightSolidsThatSpinAgainstWetClothLoseTheirEnergy) {
         rig.setGravity({0, 0, 0});
         btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabric, 0.4, 9, 0));
         WetCloth& cloth = rig.cover(sheet, fabric, test::withoutAir());
-        cloth.presoak(0.13);
+        cloth.soakPores(0.13);
         cloth.preSubstep(btScalar(1e-6));
         const double height = radius + double(sheet.getCollisionShape()->getMargin());
         btRigidBody& ball = rig.bullet().addBall({0, btScalar(height - 1e-4), 0}, radius, ballMass);

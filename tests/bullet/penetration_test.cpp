@@ -32,7 +32,7 @@ Thrown throwAt(btCollisionShape& shape, const btQuaternion& turn, double height,
     rig.world().addRigidBody(&solid);
     const Fabric fabric = fabrics::cottonPlain();
     btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabric, 1, 41, height));
-    rig.cover(sheet, fabric).presoak(water);
+    rig.cover(sheet, fabric).soakPores(water);
     test::setVelocity(sheet, {0, btScalar(-speed), 0});
     Thrown result;
     for (int frame = 0; frame < 60; ++frame) {

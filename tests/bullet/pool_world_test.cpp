@@ -195,7 +195,7 @@ TEST(PoolWorld, ARuffledSheetComesToRestAtAnyDepthInAnyWorld) {
                 UnderWater stage(kind, fabrics::cottonPlain(), depth, true);
                 const double step =
                     kind == Kind::explicitSteps ? std::min(substep, 0.9 * stage.cloth->stepBound()) : substep;
-                stage.cloth->presoak(fabrics::cottonPlain().poreCapacity());
+                stage.cloth->soakPores(fabrics::cottonPlain().poreCapacity());
                 stage.ruffle();
                 const double before = kineticEnergy(*stage.sheet);
                 EXPECT_LT(stage.run(0.3, step), 2);
@@ -228,7 +228,7 @@ TEST(PoolWorld, FloatingClothGoesToSleepWhereTheWorldLetsItAndSinksAfterAll) {
     stage.run(6, 1.0 / 60);
     EXPECT_FALSE(stage.sheet->isActive());
     EXPECT_NEAR(meanHeight(*stage.sheet), 0, 0.01);
-    stage.cloth->presoak(0.2);  // 91 %
+    stage.cloth->soakPores(0.2);  // 91 %
     stage.run(4, 1.0 / 60);
     EXPECT_LT(meanHeight(*stage.sheet), -0.02);
 }
@@ -277,7 +277,7 @@ TEST(PoolWorld, ARuffledSheetComesToRestAlsoInWaterOfAFasterTime) {
             SheetSettings settings;
             settings.waterSpeed = waterSpeed;
             WetCloth& cloth = rig.cover(sheet, fabric, settings);
-            cloth.presoak(fabric.poreCapacity());
+            cloth.soakPores(fabric.poreCapacity());
             cloth.add(Pool(level));
             for (int n = 9; n < 81; ++n) sheet.m_nodes[n].m_v.setZ(n % 2 == 0 ? 1 : -1);
             rig.run(2, 1.0 / 30);

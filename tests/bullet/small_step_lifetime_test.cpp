@@ -118,7 +118,7 @@ Dried dryAtOnce(int nodes, int count) {
     SheetSettings settings;
     {
         WetCloth soaked(rig.world(), sheet, fabrics::cottonPlain());
-        soaked.soak(0.35);
+        soaked.soakFilm(0.35);
         rig.run(0.5, dt);
         settings.materialCoordinates = soaked.materialCoordinates();
         result.massRatio = test::mass(sheet);
@@ -156,7 +156,7 @@ TEST(SmallStepLifetime, OneLongStepOfAFineSheetStaysFinite) {
     rig.bullet().addBall({0, btScalar(-0.5), 0}, 0.2, 0);
     btSoftBody& hanging = rig.add(test::hangingSheet(rig.info(), fabrics::cottonPlain(), 1, 64));
     btSoftBody& falling = rig.add(test::levelSheet(rig.info(), fabrics::cottonPlain(), 1, 64, 0));
-    rig.cover(hanging, fabrics::cottonPlain()).soak(0.3);
+    rig.cover(hanging, fabrics::cottonPlain()).soakFilm(0.3);
     WetCloth& cloth = rig.cover(falling, fabrics::cottonPlain());
     cloth.air().wind = {10, 5, 3};
     rig.run(3, 1.0 / 30);
@@ -232,7 +232,7 @@ TEST(SmallStepLifetime, AWetClothMayEndAndComeAgainWhileTheWorldRuns) {
     for (int times = 0; times < 4; ++times) {
         auto cloth = std::make_unique<WetCloth>(rig.world(), sheet, fabrics::cottonPlain(), settings);
         settings.materialCoordinates = cloth->materialCoordinates();
-        cloth->soak(0.1);
+        cloth->soakFilm(0.1);
         rig.run(0.5);
         cloth.reset();
         rig.run(0.5);  // as Bullet's own cloth

@@ -185,7 +185,7 @@ std::vector<btVector3> tumbled() {
     btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabrics::cottonPlain(), 0.6, 21, 0.6));
     WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain());
     cloth.air().wind = {1, 0, 0.3};
-    cloth.soak(0.2);
+    cloth.soakFilm(0.2);
     rig.run(1.5);
     std::vector<btVector3> result;
     for (int n = 0; n < sheet.m_nodes.size(); ++n) {

@@ -31,7 +31,7 @@ Outcome inBullet(const Fabric& fabric, double water, const SmallStepSettings& st
     btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabric, side, nodes));
     SheetSettings settings;
     settings.waterSpeed = 0;  // the static solver knows no water that runs down
-    rig.cover(sheet, fabric, settings).presoak(water * fabric.arealDensity);
+    rig.cover(sheet, fabric, settings).soakPores(water * fabric.arealDensity);
     sheet.m_cfg.kDP = 3;
     rig.run(5);
     return {-side - double(sheet.m_nodes[nodes / 2 + nodes * (nodes - 1)].m_x.y()), test::meanStrain(sheet)};
@@ -130,7 +130,7 @@ std::vector<Eigen::Vector3d> moved(const SmallStepKernels& kernels, int steps) {
     test::SmallStepWorld rig;
     Fabric fabric = fabrics::cottonPlain();
     btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabric, 0.3, 13, 0));
-    rig.cover(sheet, fabric).presoak(0.03);
+    rig.cover(sheet, fabric).soakPores(0.03);
     SheetMechanics& mechanics = *BodyWatch::mechanicsOf(sheet);
     unsigned long number = 12345;
     const auto random = [&number] {

@@ -60,7 +60,7 @@ TEST(SmallStepTouch, ASheetRestsOnAPatchThatBulletMovesAndWeighsOnIt) {
         btSoftBody* sheet = nullptr;
         if (loaded) {
             sheet = &rig.add(touchingSheet(rig.info(), 0.3, 12, 0.03));
-            rig.cover(*sheet, fabrics::denim()).soak(0.3);
+            rig.cover(*sheet, fabrics::denim()).soakFilm(0.3);
         }
         patch.m_cfg.kDP = btScalar(0.05);
         rig.run(3);
@@ -85,7 +85,7 @@ TEST(SmallStepTouch, ASheetAndAPatchThatBulletMovesKeepTheirMomentum) {
         btSoftBody& patch = rig.add(std::move(made));
         btSoftBody& sheet = rig.add(touchingSheet(rig.info(), 0.3, 12, 0.03));
         WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain(), test::withoutAir());
-        cloth.presoak(water);
+        cloth.soakPores(water);
         cloth.preSubstep(btScalar(1e-6));
         test::setVelocity(sheet, {0, btScalar(-0.5), 0});
         const btVector3 before = momentum(sheet) + momentum(patch);

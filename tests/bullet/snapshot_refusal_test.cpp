@@ -25,7 +25,7 @@ std::unique_ptr<WetScene> smallScene(const Fabric& fabric = fabrics::cottonPlain
     WetCloth& cloth = scene->cover(
         scene->add(test::levelSheet(scene->world().worldInfo(), fabric, 0.1, nodes, 0.01)), fabric);
     cloth.add(Rain(100));
-    cloth.presoak(0.2);
+    cloth.soakPores(0.2);
     return scene;
 }
 

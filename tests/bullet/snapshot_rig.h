@@ -95,8 +95,8 @@ inline std::unique_ptr<WetScene> hangingInRain(Mover mover) {
     cloth.add(Rain(200));
     cloth.add(Pool(-0.35));
     cloth.add(Spray({0, -0.2, 1}, {0, 0, -1}, 0.01));
-    cloth.add(Soak({60, 61, 62}, 0.01, 1));
-    cloth.presoak(0.1);
+    cloth.add(TimedSoak({60, 61, 62}, 0.01, 1));
+    cloth.soakPores(0.1);
     return scene;
 }
 
@@ -109,7 +109,7 @@ inline std::unique_ptr<WetScene> lyingOnBall(Mover mover) {
     btSoftBody& sheet = scene->add(levelSheet(scene->world().worldInfo(), fabric, 0.4, 11, 0));
     sheet.translate({0, sheet.getCollisionShape()->getMargin() - btScalar(0.019), 0});
     WetCloth& cloth = scene->cover(sheet, fabric);
-    cloth.presoak(0.8 * fabric.poreCapacity());
+    cloth.soakPores(0.8 * fabric.poreCapacity());
     cloth.add(WetBody(ball)).amount = 0.01;
     return scene;
 }
@@ -125,7 +125,7 @@ inline std::unique_ptr<WetScene> twoSheets(Mover mover) {
         sheet->m_cfg.collisions |= mover == Mover::explicitSteps || mover == Mover::implicitSteps
                                        ? btSoftBody::fCollision::VF_DD
                                        : btSoftBody::fCollision::VF_SS;
-        scene->cover(scene->add(std::move(sheet)), fabric).presoak(0.1);
+        scene->cover(scene->add(std::move(sheet)), fabric).soakPores(0.1);
     }
     scene->cloth(1).add(Touch(scene->cloth(0)));
     return scene;
@@ -135,7 +135,7 @@ inline std::unique_ptr<WetScene> twoSheets(Mover mover) {
 inline std::unique_ptr<WetScene> smallestScene(const Fabric& fabric) {
     auto scene = std::make_unique<WetScene>(Mover::smallSteps);
     auto sheet = hangingSheet(scene->world().worldInfo(), fabric, 0.2, 3);
-    scene->cover(scene->add(std::move(sheet)), fabric).soak(0.25);
+    scene->cover(scene->add(std::move(sheet)), fabric).soakFilm(0.25);
     return scene;
 }
 

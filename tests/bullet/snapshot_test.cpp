@@ -151,7 +151,7 @@ std::unique_ptr<WetScene> tethered(Mover mover) {
     wool.bendingFriction = 1e-5;  // so little that it slides
     auto sheet = test::levelSheet(scene->world().worldInfo(), wool, 0.3, 9, 0);
     for (int n = 0; n < 9; ++n) sheet->m_nodes[n].m_im = 0;
-    scene->cover(scene->add(std::move(sheet)), wool).soak(0.3);
+    scene->cover(scene->add(std::move(sheet)), wool).soakFilm(0.3);
     return scene;
 }
 
@@ -162,7 +162,7 @@ TEST(SnapshotRun, ASheetThatSleepsWakesAtTheSameMoment) {
         const Fabric fabric = fabrics::cottonPlain();
         btSoftBody& sheet = scene->add(test::levelSheet(scene->world().worldInfo(), fabric, 0.3, 9, 0));
         sheet.translate({0, sheet.getCollisionShape()->getMargin(), 0});
-        scene->cover(sheet, fabric).add(Soak({40}, 4e-4, 5));
+        scene->cover(sheet, fabric).add(TimedSoak({40}, 4e-4, 5));
         return scene;
     };
     const auto scene = build(), fresh = build();
@@ -232,7 +232,7 @@ struct Dripping {
             auto sheet = test::levelSheet(scene.world().worldInfo(), fabric, 0.3, 7, height);
             for (int n = 0; n < 7; ++n) sheet->m_nodes[n].m_im = 0;
             WetCloth& cloth = scene.cover(scene.add(std::move(sheet)), fabric);
-            if (height == 0.0) cloth.soak(1);
+            if (height == 0.0) cloth.soakFilm(1);
             drops.add(cloth);
         }
         scene.everyStep = [this](WetScene&) { drops.step(1.0 / 60); };
@@ -293,7 +293,7 @@ struct Hammock {
         const Fabric fabric = fabrics::cottonPlain();
         auto sheet = test::levelSheet(scene.world().worldInfo(), fabric, 0.4, 11, 0);
         for (const int corner : {0, 10, 110, 120}) sheet->m_nodes[corner].m_im = 0;
-        scene.cover(scene.add(std::move(sheet)), fabric).presoak(0.1);
+        scene.cover(scene.add(std::move(sheet)), fabric).soakPores(0.1);
     }
     WetScene scene;
     btRigidBody& ball;

@@ -18,7 +18,7 @@ TEST(WaterSpeed, ChangesOnTheWay) {
     WetCloth slowCloth(slow.world(), slow.sheet(), fabrics::cottonPlain());
     WetCloth changedCloth(changed.world(), changed.sheet(), fabrics::cottonPlain());
     EXPECT_EQ(changedCloth.waterSpeed(), 1);
-    for (WetCloth* const cloth : {&slowCloth, &changedCloth}) cloth->soak(1);
+    for (WetCloth* const cloth : {&slowCloth, &changedCloth}) cloth->soakFilm(1);
     slow.bullet().step(1.0, 240);
     changedCloth.setWaterSpeed(10);
     EXPECT_EQ(changedCloth.waterSpeed(), 10);
@@ -57,7 +57,7 @@ TEST(WaterSpeed, SourcesThatAreThereAlreadyPushByTheBodysOwnTime) {
 TEST(StepTimes, AddUpToWhatTheStepsTake) {
     SheetWorld rig(test::smallSheet);
     WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
-    cloth.soak(0.5);
+    cloth.soakFilm(0.5);
     EXPECT_EQ(cloth.times().substeps, 0);
     const auto before = std::chrono::steady_clock::now();
     rig.bullet().step(1.0, 60);

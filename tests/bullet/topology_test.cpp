@@ -88,7 +88,7 @@ TEST(Topology, RestLengthsAndWeightStayThoseOfTheCloth) {
     AnyWorld rig(Mover::smallSteps), whole(Mover::smallSteps);
     for (AnyWorld* each : {&rig, &whole}) {
         each->sheet().m_cfg.kDP = 3;
-        each->cloth().presoak(0.2);
+        each->cloth().soakPores(0.2);
         each->cloth().air().vapourExchange = 0;
         each->run(120);
     }
@@ -174,7 +174,7 @@ TEST(Topology, PiecesMayBeSewnOn) {
     for (const Mover mover : test::movers) {
         SCOPED_TRACE(test::nameOf(mover));
         AnyWorld rig(mover);
-        rig.cloth().soak(0.1);
+        rig.cloth().soakFilm(0.1);
         rig.cloth().air().vapourExchange = 0;
         rig.run(3);
         btSoftBody& sheet = rig.sheet();
@@ -202,7 +202,7 @@ TEST(Topology, AnotherOrderIsNoticedWithinSixtyFourSubsteps) {
     for (const Mover mover : test::movers) {
         SCOPED_TRACE(test::nameOf(mover));
         AnyWorld rig(mover);
-        rig.cloth().soak(0.1);
+        rig.cloth().soakFilm(0.1);
         rig.run(5);
         rig.sheet().randomizeConstraints();
         rig.run(64);
@@ -371,7 +371,7 @@ TEST(Topology, ACutSheetMeetsSolidsAndOtherSheets) {
         btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabric, 0.5, across, height - 0.9));
         sheet.m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
         cloths.push_back(&rig.cover(sheet, fabric));
-        cloths.back()->soak(0.2);
+        cloths.back()->soakFilm(0.2);
     }
     cloths[0]->add(Touch(*cloths[1]));
     for (int i = 0; i < 60; ++i) {

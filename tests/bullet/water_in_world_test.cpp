@@ -157,7 +157,7 @@ TEST(Drops, HaveTheirPlaceAndFallOnAnotherSheetOrTheGround) {
     FallingDrops drops(stage.bullet.world());
     drops.add(upper);
     drops.add(lower);
-    upper.soak(0.6);
+    upper.soakFilm(0.6);
     for (int frame = 0; frame < 240; ++frame) {
         stage.bullet.step(1.0 / 60, 16);
         drops.step(1.0 / 60);
@@ -187,7 +187,7 @@ TEST(Drops, ComeFromTheLowestNodeAndWeighFiftyMilligrams) {
         13);
     for (int n = 0; n < 169; ++n) hanging->m_nodes[n].m_im = 0;
     WetCloth& cloth = stage.add(std::move(hanging));
-    cloth.presoak(0.22 + 0.15);  // a film that all runs to the lowest corner
+    cloth.soakPores(0.22 + 0.15);  // a film that all runs to the lowest corner
     stage.bullet.step(20, 2000);
     const std::vector<Drop> drops = cloth.takeDrops();
     ASSERT_GT(drops.size(), 3u);
@@ -237,7 +237,7 @@ TEST(Touch, PassesWaterBetweenTwoSheetsThatLieOnEachOther) {
     auto below = loose(1.01, 15), above = loose(1.03, 12);
     WetCloth& lower = stage.add(std::move(below));
     WetCloth& upper = stage.add(std::move(above));
-    lower.presoak(0.15);
+    lower.soakPores(0.15);
     lower.add(Touch(upper));
     const double before = lower.waterMass();
     for (int i = 0; i < 120; ++i) stage.bullet.step(1.0 / 60, 16);
@@ -286,7 +286,7 @@ TEST(Sources, ThatAreOffAreRefusedWhenAdded) {
     const std::size_t accounts = cloth.ledger().accounts.size();
     EXPECT_THROW(cloth.add(Rain(-1)), std::invalid_argument);
     EXPECT_THROW(cloth.add(Brush({0, 1, 0}, std::nan(""), 1)), std::invalid_argument);
-    EXPECT_THROW(cloth.add(Soak({1, 81}, 0.1)), std::out_of_range);
+    EXPECT_THROW(cloth.add(TimedSoak({1, 81}, 0.1)), std::out_of_range);
     EXPECT_EQ(cloth.ledger().accounts.size(), accounts);
     EXPECT_EQ(cloth.waterMass(), 0.0);
     Rain& rain = cloth.add(Rain(10));
@@ -365,7 +365,7 @@ TEST(Drops, LandOnSheetsJustBelowAndPassNoSeam) {
         FallingDrops drops(stage.bullet.world());
         drops.add(upper);
         drops.add(lower);
-        upper.presoak(1);
+        upper.soakPores(1);
         for (int frame = 0; frame < 60; ++frame) {
             stage.bullet.step(1.0 / 60, 4);
             drops.step(1.0 / 60);
@@ -383,7 +383,7 @@ TEST(Drops, ThatFallOnTheGroundLandThere) {
     WetCloth& cloth = stage.add(std::move(sheet));
     FallingDrops drops(stage.bullet.world());
     drops.add(cloth);
-    cloth.presoak(1);
+    cloth.soakPores(1);
     double landed = 0;
     for (int frame = 0; frame < 120; ++frame) {
         stage.bullet.step(1.0 / 60, 4);
@@ -406,7 +406,7 @@ TEST(Cloth, ThatLiesOnTheGroundDripsNothing) {
         if (sheet->m_nodes[n].m_im == 0) sheet->m_nodes[n].m_im = 1;
     WetCloth& cloth = stage.add(std::move(sheet));
     for (int i = 0; i < 60; ++i) stage.bullet.step(1.0 / 60, 8);  // comes to lie
-    cloth.presoak(1);
+    cloth.soakPores(1);
     for (int i = 0; i < 60; ++i) stage.bullet.step(1.0 / 60, 8);
     EXPECT_EQ(cloth.ledger().dripped, 0.0);
 }
@@ -431,7 +431,7 @@ TEST(Sources, OfAnyKindTogetherNeitherMakeNorLoseWater) {
         cloth.add(Spray({0, 1.5, 0}, {between(-0.3, 0.3), -1, 0}, between(0, 0.1))).halfAngle =
             between(0.05, 0.6);
         cloth.add(Brush({between(-0.2, 0.2), 1, 0}, between(0.05, 0.4), between(0, 1)));
-        cloth.add(Soak({1, 5, 9}, between(0, 0.1), between(0, 5)));
+        cloth.add(TimedSoak({1, 5, 9}, between(0, 0.1), between(0, 5)));
         Pool& pool = cloth.add(Pool(between(0.8, 1)));
         for (int frame = 0; frame < 60; ++frame) {
             pool.level += between(-0.02, 0.02);
@@ -521,7 +521,7 @@ TEST(Air, OutOfRangeCountsForNothing) {
     EXPECT_EQ(cloth.troubles()[0].what, Trouble::air);
     cloth.air().humidity = 1;  // fog: nothing dries
     cloth.air().vapourExchange = 1;
-    cloth.soak(0.1);
+    cloth.soakFilm(0.1);
     stage.bullet.step(1, 100);
     EXPECT_LT(cloth.ledger().evaporated, 1e-6);
 }

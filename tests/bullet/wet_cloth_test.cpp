@@ -35,7 +35,7 @@ TEST_P(AnyBody, GainsTheMassOfItsWaterPerNodeAndInTotalAndKeepsItsPins) {
     std::vector<double> dry;
     for (int n = 0; n < body.m_nodes.size(); ++n) dry.push_back(test::mass(body.m_nodes[n]));
 
-    cloth.soak(0.1);
+    cloth.soakFilm(0.1);
     for (int n = 0; n < body.m_nodes.size(); n += 3) cloth.addWater(n, 1e-5 * (n + 1), {0, -1, 0});
     rig.bullet().step(1.0 / 60, 8);
 
@@ -88,7 +88,7 @@ TEST_P(AnyBody, IsGivenBackAsItWas) {
         EXPECT_EQ(body.m_cfg.kDG, 0);
         EXPECT_EQ(body.getUserPointer(), &mark);
         EXPECT_EQ(body.getCollisionShape()->getUserPointer(), &mark);
-        cloth.soak(0.2);
+        cloth.soakFilm(0.2);
         for (int i = 0; i < 20; ++i) rig.bullet().step(1.0 / 60, 8);
     }
     EXPECT_EQ(body.m_cfg.kDG, btScalar(0.3));
@@ -125,7 +125,7 @@ TEST_P(AnyBody, KeepsItsRestLengthsBitForBitOverAThousandSteps) {
 TEST_P(AnyBody, DoesNotCreepWhenTheApplicationSetsMassesInFlight) {
     SheetWorld rig(GetParam());
     WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
-    cloth.soak(0.1);
+    cloth.soakFilm(0.1);
     std::vector<btScalar> restLengths;
     for (int i = 0; i < rig.sheet().m_links.size(); ++i) restLengths.push_back(rig.sheet().m_links[i].m_rl);
     for (int frame = 0; frame < 120; ++frame) {
@@ -171,7 +171,7 @@ TEST(WetCloth, ArrivingWaterBringsItsMomentum) {
 
 TEST(WetCloth, WaterThatMovesWithTheClothLeavesItsVelocityAlone) {
     test::FreeSheet rig(fabrics::cottonPlain());
-    rig.cloth().soak(0.3);
+    rig.cloth().soakFilm(0.3);
     rig.cloth().addWater(60, 1e-3, {0, 2, 0});
     rig.sheet().setVelocity({3, 0, 0});  // after the water was put on, before it takes part
     rig.cloth().preSubstep(btScalar(1.0 / 240));
@@ -185,7 +185,7 @@ TEST(WetCloth, PinsFreedWhileItRunsAreGivenBackWhole) {
     SheetWorld rig(test::smallSheet);
     {
         WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain());
-        cloth.soak(0.2);
+        cloth.soakFilm(0.2);
         rig.bullet().step(0.1, 40);
         for (int i = 0; i < 9; ++i) rig.sheet().m_nodes[i].m_im = 1;
         rig.bullet().step(0.1, 40);
@@ -247,8 +247,8 @@ TEST(WetCloth, WaterFollowsTheBodysOwnTime) {
     slow.sheet().m_cfg.timescale = btScalar(0.25);
     WetCloth slowCloth(slow.world(), slow.sheet(), fabrics::cottonPlain());
     WetCloth usualCloth(usual.world(), usual.sheet(), fabrics::cottonPlain());
-    slowCloth.soak(1);
-    usualCloth.soak(1);
+    slowCloth.soakFilm(1);
+    usualCloth.soakFilm(1);
     slow.bullet().step(1.0, 240);
     usual.bullet().step(0.25, 60);
     EXPECT_NEAR(slowCloth.saturation(100), usualCloth.saturation(100), 1e-5);
@@ -280,7 +280,7 @@ TEST(WetCloth, SeveralSheetsInOneWorldKeepTheirOwnWater) {
         WetCloth cotton(bullet.world(), *cottonSheet, fabrics::cottonPlain());
         auto denim = std::make_unique<WetCloth>(bullet.world(), *denimSheet, fabrics::denim());
         cotton.air().vapourExchange = denim->air().vapourExchange = 0;
-        cotton.presoak(0.1);
+        cotton.soakPores(0.1);
         bullet.step(0.1, 40);
         EXPECT_NEAR(cotton.waterMass(), 0.025, 1e-8);
         EXPECT_EQ(denim->waterMass(), 0.0);
@@ -299,8 +299,8 @@ TEST(WetCloth, WaterSpeedRunsWaterFasterThanMechanics) {
     settings.waterSpeed = 10;
     WetCloth slowCloth(slow.world(), slow.sheet(), fabrics::cottonPlain());
     WetCloth fastCloth(fast.world(), fast.sheet(), fabrics::cottonPlain(), settings);
-    slowCloth.soak(1);
-    fastCloth.soak(1);
+    slowCloth.soakFilm(1);
+    fastCloth.soakFilm(1);
     slow.bullet().step(1.0, 240);
     fast.bullet().step(0.1, 24);
     EXPECT_NEAR(fastCloth.saturation(100), slowCloth.saturation(100), 1e-5);
@@ -323,7 +323,7 @@ TEST(WetCloth, MaterialCoordinatesGiveLinksTheirDirection) {
         }
         WetCloth cloth(rig.world(), rig.sheet(), unequal, settings);
         rig.sheet().m_cfg.kDP = btScalar(0.002);
-        cloth.soak(0.8);
+        cloth.soakFilm(0.8);
         for (int i = 0; i < 60; ++i) rig.bullet().step(1.0 / 60, 32);
         stretch[exchanged ? 1 : 0] = -0.5 - double(rig.sheet().m_nodes[5 + 11 * 10].m_x.y());
     }
@@ -336,7 +336,7 @@ TEST(WetCloth, SaysWhatItIsMadeOfAndHowMuchLightItLetsThrough) {
     WetCloth cloth(rig.world(), rig.sheet(), silk);
     EXPECT_EQ(cloth.fabric().name, silk.name);
     EXPECT_DOUBLE_EQ(cloth.transmittance(5), WetLaws(silk).transmittance(0));
-    cloth.presoak(0.5 * silk.poreCapacity());
+    cloth.soakPores(0.5 * silk.poreCapacity());
     EXPECT_NEAR(cloth.saturation(5), 0.5, 1e-6);
     EXPECT_DOUBLE_EQ(cloth.transmittance(5), WetLaws(silk).transmittance(cloth.saturation(5)));
 }
@@ -350,8 +350,8 @@ TEST(WetCloth, RefusesInputThatIsNotFiniteBeforeBulletSeesIt) {
     EXPECT_THROW(cloth.addWater(-1, 1e-3), std::out_of_range);
     EXPECT_THROW(cloth.addWater(100000, 1e-3), std::out_of_range);
     EXPECT_THROW(cloth.addWater(0, 1e-3, {btScalar(nan), 0, 0}), std::invalid_argument);
-    EXPECT_THROW(cloth.soak(nan), std::invalid_argument);
-    EXPECT_THROW(cloth.soak(1e39), std::invalid_argument);
+    EXPECT_THROW(cloth.soakFilm(nan), std::invalid_argument);
+    EXPECT_THROW(cloth.soakFilm(1e39), std::invalid_argument);
     EXPECT_THROW(cloth.addWater(0, 1e39), std::invalid_argument);
     EXPECT_THROW(cloth.saturation(289), std::out_of_range);
     EXPECT_THROW(cloth.nodeMass(-1), std::out_of_range);
@@ -387,7 +387,7 @@ TEST(WetCloth, SteppingByTheApplicationIsTheApplicationsAlone) {
     SheetSettings settings;
     settings.stepping = Stepping::byApplication;
     WetCloth cloth(rig.world(), rig.sheet(), fabrics::cottonPlain(), settings);
-    cloth.soak(0.1);
+    cloth.soakFilm(0.1);
     rig.bullet().step(1.0, 240);
     EXPECT_EQ(cloth.moisture().totalPoreMass(), 0.0);
     cloth.preSubstep(btScalar(0.01));

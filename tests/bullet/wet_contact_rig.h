@@ -48,7 +48,7 @@ class WetContactRig {
         settings.waterSpeed = 0;
         settings.stepping = stepping;
         cloth_ = std::make_unique<WetCloth>(world_->world(), *sheet_, fabric_, settings);
-        if (saturation > 0) cloth_->presoak(saturation * fabric_.poreCapacity());
+        if (saturation > 0) cloth_->soakPores(saturation * fabric_.poreCapacity());
         return *cloth_;
     }
 

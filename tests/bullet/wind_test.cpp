@@ -164,7 +164,7 @@ TEST(Wind, AFieldThatIsTheSameEverywhereIsASteadyWind) {
         test::SmallStepWorld rig;
         btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabrics::cottonPlain(), 0.5, 17));
         WetCloth& cloth = rig.cover(sheet, fabrics::cottonPlain());
-        cloth.presoak(water);
+        cloth.soakPores(water);
         if (byField)
             cloth.air().field = std::make_shared<Formula>(
                 [](const Vector3d&, double) { return Vector3d(1.1, 0.3, 2.7); }, 0.1);
@@ -192,7 +192,7 @@ TEST(Wind, AFieldThatIsNotFiniteIsRefused) {
         {std::make_shared<Formula>([](const Vector3d&, double) { return Vector3d(0, 0, 0); }, nan), "length"},
     };
     Screen screen;
-    screen.cloth().soak(0.1);
+    screen.cloth().soakFilm(0.1);
     screen.air().wind = {0, 0, 2};
     screen.wait(0.1);
     const double water = screen.cloth().waterMass(), evaporated = screen.cloth().ledger().evaporated;
@@ -220,7 +220,7 @@ TEST(Wind, DriesTheSheetAsFastAsItBlowsThere) {
     const auto dried = [](const Vector3d& wind, Formula::Law law, double shelterLength) {
         Screen screen;
         screen.bullet().addBox({0, 0, btScalar(-0.6)}, {2, 2, btScalar(0.1)});
-        screen.cloth().presoak(0.2);
+        screen.cloth().soakPores(0.2);
         screen.air().wind = wind;
         screen.air().shelterLength = shelterLength;
         if (law) screen.air().field = std::make_shared<Formula>(law);

@@ -233,7 +233,7 @@ TEST(Hand, HosePushesTheSheetAway) {
 
 TEST(Hand, TowelTakesWaterWhereItDabs) {
     Rig rig(smallSteps, 1);
-    rig.cloth().soak(0.05);
+    rig.cloth().soakFilm(0.05);
     rig.frames(5);
     const double before = rig.cloth().waterMass();
     rig.point(0, 1, true, Tool::towel);
@@ -249,7 +249,7 @@ TEST(Hand, TowelTakesWaterWhereItDabs) {
 
 TEST(Wetting, GivesEachNodeItsShare) {
     Rig rig(smallSteps, 0.2);
-    rig.cloth().soak(0.05);
+    rig.cloth().soakFilm(0.05);
     for (const double fraction : {0.7, 0.3, 0.0, 1.0}) {
         wetTo(rig.cloth(), fraction);
         for (int n = 0; n < rig.sheet().body().m_nodes.size(); ++n)

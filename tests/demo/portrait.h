@@ -28,7 +28,7 @@ class Portrait {
     ~Portrait() { bullet_.world().removeSoftBody(sheet_.get()); }
 
     /// Takes up this share of saturation more.
-    void absorb(double fraction) { cloth_->presoak(fraction * fabric_.poreCapacity()); }
+    void absorb(double fraction) { cloth_->soakPores(fraction * fabric_.poreCapacity()); }
 
     btSoftBody& body() { return *sheet_; }
     WetCloth& cloth() { return *cloth_; }

@@ -263,7 +263,7 @@ TEST(Simulation, EndsInTheMidstOfEverything) {
             if (i % 4 == 0) simulation.restart(request());
             for (int k = 0; k < i; ++k)
                 simulation.post([done, k](Scene& scene) {
-                    scene.sheets()[0].cloth->soak(0.01);
+                    scene.sheets()[0].cloth->soakFilm(0.01);
                     done->push_back(k);
                 });
             if (i % 2 == 0) goRound(simulation);

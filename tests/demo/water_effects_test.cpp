@@ -48,7 +48,7 @@ TEST(WaterEffects, DropsThatLandLeaveWetPlacesThere) {
     const auto world = worldWithGround();
     SceneCloth cloth(*world, sheetOf({-0.2, 0.8, 0}, {0.4, 0, 0}, {0, -0.4, 0}, 9), 1);
     for (int i = 0; i < 9; ++i) cloth.node(i, 0).m_im = 0;
-    cloth.wet().presoak(2 * fabrics::cottonPlain().poreCapacity());
+    cloth.wet().soakPores(2 * fabrics::cottonPlain().poreCapacity());
     FallingDrops drops(world->world());
     drops.add(cloth.wet());
     WaterEffects effects(world->world());

@@ -239,7 +239,7 @@ TEST(MeshSheet, ATubeHangsAndGetsWet) {
         settings.faceCoordinates =
             textured ? texturedCoordinates(file.mesh) : wrappedCoordinates(body, btVector3(0, 1, 0));
         WetCloth& cloth = world.cover(body, Fabric(), settings);
-        cloth.presoak(0.2);
+        cloth.soakPores(0.2);
         world.run(1);
         EXPECT_TRUE(cloth.health().finite);
         EXPECT_LT(cloth.health().largestStrain, 0.03);
@@ -281,7 +281,7 @@ TEST(MeshSheet, BranchesAndPiecesDoNotCrash) {
     SheetSettings settings;
     settings.faceCoordinates = wrappedCoordinates(body, btVector3(0, 1, 0));
     WetCloth& cloth = world.cover(body, Fabric(), settings);
-    cloth.soak(0.3);
+    cloth.soakFilm(0.3);
     world.run(0.5);
     EXPECT_TRUE(cloth.health().finite);
     EXPECT_LT(cloth.health().largestStrain, 0.05);

@@ -75,9 +75,9 @@ class Play {
             case 1:
                 return cloth_->addWater(node(), mass, wildVector(choices_, 20));
             case 2:
-                return cloth_->soak(10 * mass);
+                return cloth_->soakFilm(10 * mass);
             case 3:
-                return cloth_->presoak(10 * mass);
+                return cloth_->soakPores(10 * mass);
             case 4:
                 return cloth_->setWaterSpeed(choices_.around(0, 1e3));
             case 5:

@@ -17,7 +17,7 @@ std::unique_ptr<test::WetScene> scene(test::Mover mover) {
     WetCloth& cloth =
         made->cover(made->add(test::levelSheet(made->world().worldInfo(), fabric, 0.1, 3, 0.01)), fabric);
     cloth.add(Rain(100));
-    cloth.presoak(0.2);
+    cloth.soakPores(0.2);
     made->step(4);
     return made;
 }

@@ -23,7 +23,7 @@ int main() {
 
     drench::WetCloth cloth(world, *sheet, cotton);  // hooks in; unhooks in its destructor
     cloth.air().wind = {0, 0, 2};
-    cloth.soak(0.1);  // 100 g of water per square metre
+    cloth.soakFilm(0.1);  // 100 g of water per square metre
 
     for (int frame = 0; frame < 120; ++frame) world.stepSimulation(1.f / 60);  // nothing else changes
     const drench::Ledger water = cloth.ledger();

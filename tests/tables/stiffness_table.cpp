@@ -65,7 +65,7 @@ double sagInBullet(LinkConstant kind, int substepsPerFrame, double fraction) {
     settings.stepping = Stepping::byApplication;
     settings.waterSpeed = 0;  // the static solution knows no water that runs down
     auto cloth = std::make_unique<WetCloth>(bullet.world(), *sheet, cotton(), settings);
-    cloth->presoak(fraction * cotton().poreCapacity());
+    cloth->soakPores(fraction * cotton().poreCapacity());
     const std::vector<double> stiffness = stiffnessOf(*sheet, *cloth);
     const double dt = 1.0 / 60 / substepsPerFrame;
     sheet->m_cfg.kDP = btScalar(3 * dt);
@@ -90,7 +90,7 @@ double sagAtRest(double fraction) {
     settings.stepping = Stepping::byApplication;
     settings.waterSpeed = 0;  // the static solution knows no water that runs down
     WetCloth cloth(bullet.world(), *sheet, cotton(), settings);
-    cloth.presoak(fraction * cotton().poreCapacity());
+    cloth.soakPores(fraction * cotton().poreCapacity());
     const std::vector<double> stiffness = stiffnessOf(*sheet, cloth);
     StaticProblem problem;
     for (int n = 0; n < sheet->m_nodes.size(); ++n) {

@@ -56,7 +56,7 @@ TEST(Sources, LeaveNodesWithoutClothAlone) {
     Spray spray({0.5, 1, 0.5}, {0, -1, 0}, 1);
     spray.halfAngle = 1;
     Pool pool(0.1);
-    Soak soak({0, 4}, 1), picture = Soak::picture(Mask{1, 1, {1}}, 1);
+    TimedSoak soak({0, 4}, 1), picture = TimedSoak::picture(Mask{1, 1, {1}}, 1);
     Brush brush({0.5, 0, 0.5}, 0.6, 1);
     for (Source* source : std::vector<Source*>{&rain, &spray, &pool, &soak, &picture, &brush}) {
         const double before = cloth.film();
@@ -70,7 +70,7 @@ TEST(Refusals, NoSourceTakesATimeThatIsNone) {
     Rain rain(1);
     Spray spray({0, 1, 0}, {0, -1, 0}, 1);
     Pool pool(1);
-    Soak soak({0}, 1);
+    TimedSoak soak({0}, 1);
     Brush brush({0, 0, 0}, 1, 1);
     for (Source* source : std::vector<Source*>{&rain, &spray, &pool, &soak, &brush}) {
         Cloth cloth(1, 2);

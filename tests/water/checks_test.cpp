@@ -191,10 +191,10 @@ TEST(Messages, Sources) {
     const Brush brush({0, 0, 0}, 0.1, 1);
     expectReadable("Brush::radius", ofSource<Brush>(brush, [](Brush& b, double x) { b.radius = x; }));
     expectReadable("Brush::rate", ofSource<Brush>(brush, [](Brush& b, double x) { b.rate = x; }));
-    expectReadable("mass of a Soak", [](double x) { Soak({0}, x); });
-    expectReadable("duration of a Soak", [](double x) { Soak({0}, 1, x); });
+    expectReadable("mass of a Soak", [](double x) { TimedSoak({0}, x); });
+    expectReadable("duration of a Soak", [](double x) { TimedSoak({0}, 1, x); });
     const Mask mask{1, 1, {0.5f}};
-    expectReadable("mass per area", [&](double x) { Soak::picture(mask, x); });
+    expectReadable("mass per area", [&](double x) { TimedSoak::picture(mask, x); });
     expectReadable("time step", [&](double x) {
         test::Cloth cloth(1, 2);
         Brush(brush).supply(cloth.pose(), x, cloth);
@@ -227,7 +227,7 @@ TEST(Messages, Water) {
 
 TEST(Messages, FloatsReadAsTheyWereGiven) {
     EXPECT_EQ(test::complaint([] {
-                  Soak::picture({1, 1, {1.1f}}, 1);
+                  TimedSoak::picture({1, 1, {1.1f}}, 1);
               }),
               "drench: a value of a Soak's mask is 1.1; give a value from 0 to 1");
     EXPECT_EQ(test::complaint([] {

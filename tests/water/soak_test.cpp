@@ -26,10 +26,10 @@ using test::complaint;
 using test::nan;
 using test::run;
 
-TEST(Soak, GivesExactlyItsMassWhateverTheSteps) {
+TEST(TimedSoak, GivesExactlyItsMassWhateverTheSteps) {
     for (const double dt : {0.001, 0.1, 0.7, 3.0, 100.0}) {
         Cloth cloth(1, 4);
-        Soak soak({3, 0, 7, 3}, 0.123, 3);
+        TimedSoak soak({3, 0, 7, 3}, 0.123, 3);
         for (int step = 0; step < 5000; ++step) soak.supply(cloth.pose(), dt * (1 + step % 3), cloth);
         EXPECT_TRUE(soak.finished());
         EXPECT_NEAR(cloth.film(), 0.123, 1e-12) << dt;
@@ -40,26 +40,26 @@ TEST(Soak, GivesExactlyItsMassWhateverTheSteps) {
     }
 }
 
-TEST(Soak, TakesItsTime) {
+TEST(TimedSoak, TakesItsTime) {
     Cloth cloth(1, 4);
-    Soak soak({5}, 2, 10);
+    TimedSoak soak({5}, 2, 10);
     run(soak, cloth, 0.1, 25);
     EXPECT_NEAR(cloth.film(), 0.5, 1e-12);
     EXPECT_FALSE(soak.finished());
     run(soak, cloth, 0.1, 75);
     EXPECT_TRUE(soak.finished());
 
-    Soak atOnce({5}, 2);
+    TimedSoak atOnce({5}, 2);
     EXPECT_FALSE(atOnce.finished());
     run(atOnce, cloth, 1e-3, 1);
     EXPECT_TRUE(atOnce.finished());
     EXPECT_NEAR(cloth.film(), 4, 1e-12);
 }
 
-TEST(Soak, PassesByNodesWithoutClothAndRefusesToFindNone) {
+TEST(TimedSoak, PassesByNodesWithoutClothAndRefusesToFindNone) {
     Cloth cloth(1, 4);
     cloth.mesh.areas[2] = 0;
-    Soak some({1, 2}, 1), none({2}, 1), missing({25}, 1);
+    TimedSoak some({1, 2}, 1), none({2}, 1), missing({25}, 1);
     run(some, cloth, 1, 1);
     EXPECT_NEAR(cloth.filmMass[1], 1, 1e-15);
     EXPECT_THROW(none.supply(cloth.pose(), 0, cloth), std::invalid_argument);
@@ -85,7 +85,7 @@ void writePicture(const TemporaryFile& file, int width,
     ASSERT_NE(stbi_write_png(file.path.string().c_str(), width, height, 4, pixels.data(), 4 * width), 0);
 }
 
-TEST(Soak, LaysAPictureOverTheSheet) {
+TEST(TimedSoak, LaysAPictureOverTheSheet) {
     TemporaryFile file("drench_sources_test_halves.png");
     // 100 x 2: the left half white; only its lower row is seen at v below a half.
     std::vector<std::array<unsigned char, 4>> pixels(200, {0, 0, 0, 255});
@@ -93,7 +93,7 @@ TEST(Soak, LaysAPictureOverTheSheet) {
     writePicture(file, 100, pixels);
 
     Cloth cloth(1, 10);  // a column of nodes stands right on the border, where the picture is half grey
-    Soak soak = Soak::picture(readMask(file.path), 0.4, 2);
+    TimedSoak soak = TimedSoak::picture(readMask(file.path), 0.4, 2);
     run(soak, cloth, 0.5, 4);
     EXPECT_TRUE(soak.finished());
     EXPECT_NEAR(cloth.film(), 0.4 * 0.5, 1e-12);
@@ -104,13 +104,13 @@ TEST(Soak, LaysAPictureOverTheSheet) {
     }
 }
 
-TEST(Soak, LaysThePictureUpright) {
+TEST(TimedSoak, LaysThePictureUpright) {
     // Four pixels: white at the lower right, that is at great u and small v.
     const Mask mask{2, 2, {0, 0, 0, 1}};
     Cloth cloth(1, 1);
     for (auto& corners : cloth.mesh.coordinates)
         for (Vector2d& corner : corners) corner += Vector2d(7, -3);  // wherever the pattern lies on its paper
-    Soak soak = Soak::picture(mask, 1);
+    TimedSoak soak = TimedSoak::picture(mask, 1);
     run(soak, cloth, 1, 1);
     EXPECT_EQ(cloth.filmMass[0], 0);
     EXPECT_NEAR(cloth.filmMass[1], cloth.mesh.areas[1], 1e-12);
@@ -118,9 +118,9 @@ TEST(Soak, LaysThePictureUpright) {
     EXPECT_EQ(cloth.filmMass[3], 0);
 }
 
-TEST(Soak, ABlackPictureGivesNothing) {
+TEST(TimedSoak, ABlackPictureGivesNothing) {
     Cloth cloth(1, 2);
-    Soak soak = Soak::picture(Mask{1, 1, {0}}, 1);
+    TimedSoak soak = TimedSoak::picture(Mask{1, 1, {0}}, 1);
     run(soak, cloth, 1, 2);
     EXPECT_TRUE(soak.finished());
     EXPECT_EQ(cloth.film(), 0);
@@ -182,17 +182,17 @@ TEST(Mask, SaysWhichFileItCannotReadAndWhy) {
 TEST(Refusals, SoakOutOfRange) {
     const Mask white{1, 1, {1}};
     for (const double bad : {-1e-9, 1.1e9, nan}) {
-        EXPECT_THROW(Soak({0}, bad), std::invalid_argument) << bad;
-        EXPECT_THROW(Soak({0}, 1, bad), std::invalid_argument) << bad;
-        EXPECT_THROW(Soak::picture(white, bad), std::invalid_argument) << bad;
-        EXPECT_THROW(Soak::picture(white, 1, bad), std::invalid_argument) << bad;
+        EXPECT_THROW(TimedSoak({0}, bad), std::invalid_argument) << bad;
+        EXPECT_THROW(TimedSoak({0}, 1, bad), std::invalid_argument) << bad;
+        EXPECT_THROW(TimedSoak::picture(white, bad), std::invalid_argument) << bad;
+        EXPECT_THROW(TimedSoak::picture(white, 1, bad), std::invalid_argument) << bad;
     }
-    EXPECT_THROW(Soak({0}, 1.01e6), std::invalid_argument);
-    EXPECT_THROW(Soak({}, 1), std::invalid_argument);
-    EXPECT_THROW(Soak::picture(white, 1001), std::invalid_argument);
-    EXPECT_THROW(Soak::picture(Mask(), 1), std::invalid_argument);
-    EXPECT_THROW(Soak::picture(Mask{1, 1, {1.5F}}, 1), std::invalid_argument);
-    EXPECT_THROW(Soak::picture(Mask{1, 1, {std::nanf("")}}, 1), std::invalid_argument);
+    EXPECT_THROW(TimedSoak({0}, 1.01e6), std::invalid_argument);
+    EXPECT_THROW(TimedSoak({}, 1), std::invalid_argument);
+    EXPECT_THROW(TimedSoak::picture(white, 1001), std::invalid_argument);
+    EXPECT_THROW(TimedSoak::picture(Mask(), 1), std::invalid_argument);
+    EXPECT_THROW(TimedSoak::picture(Mask{1, 1, {1.5F}}, 1), std::invalid_argument);
+    EXPECT_THROW(TimedSoak::picture(Mask{1, 1, {std::nanf("")}}, 1), std::invalid_argument);
 }
 
 }  // namespace

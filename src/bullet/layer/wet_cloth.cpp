@@ -74,13 +74,13 @@ void WetCloth::addWater(int node, double mass) {
     layer_->application.addFilm(layer_->checkedNode(node), mass);
 }
 
-void WetCloth::soak(double massPerArea) {
+void WetCloth::soakFilm(double massPerArea) {
     const std::vector<double> masses = layer_->spread(massPerArea);
     for (std::size_t n = 0; n < masses.size(); ++n)
         if (masses[n] > 0) layer_->application.addFilm(n, masses[n]);
 }
 
-void WetCloth::presoak(double massPerArea) {
+void WetCloth::soakPores(double massPerArea) {
     const std::vector<double> masses = layer_->spread(massPerArea);
     for (std::size_t n = 0; n < masses.size(); ++n)
         if (masses[n] > 0) layer_->application.addPores(n, masses[n]);

@@ -143,7 +143,7 @@ bool changeClothes(const TriangleMesh& skirt) {
 
     garments.pop_back();  // the silk goes, a jersey comes
     garments.emplace_back(wardrobe.world(), skirt, drench::fabrics::jersey(), btVector3(3, 1, 0));
-    garments.back().cloth().presoak(0.1);
+    garments.back().cloth().soakPores(0.1);
     wardrobe.run(0.5);
     good &= expect(std::all_of(garments.begin(), garments.end(), isWhole),
                    "the three that are there now hang well");

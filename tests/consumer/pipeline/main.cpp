@@ -36,7 +36,7 @@ void run(const std::filesystem::path& obj, const std::filesystem::path& folder) 
         drench::SheetSettings settings;
         settings.faceCoordinates = drench::wrappedCoordinates(*sheet, {0, 1, 0});
         drench::WetCloth cloth(world, *sheet, wool, settings);
-        cloth.presoak(0.1);
+        cloth.soakPores(0.1);
         drench::Animation animation;
         for (int frame = 0; frame < 10; ++frame) {
             world.stepSimulation(1.f / 60);

@@ -158,7 +158,7 @@ int main() {
     Yard yard;
     Laundry dry(yard.world(), -3);
     Laundry wet(yard.world(), -1);
-    wet.cloth().presoak(0.2);
+    wet.cloth().soakPores(0.2);
     drench::Spray& hose = wet.cloth().add(drench::Spray({-0.5, 1.5, 2}, {0, 0, -1}, 0.01));
     run(yard);
     hose.rate = 0;
