@@ -42,7 +42,7 @@ class Clothesline final : public StagedScene {
     explicit Clothesline(const SceneOptions& options)
         : StagedScene(fitted(sceneFile("clothesline"), options), {0, 0}),
           wholeLength_(!(options.seconds > 0)),
-          balance_(Isotherm(cloth().fabric()).content(stage().weather().humidity)),
+          balance_(Isotherm(cloth().fabric()).moistureContent(stage().weather().humidity)),
           lightestDrop_(std::numeric_limits<double>::infinity()),
           heaviestDrop_(0) {
         hang();
@@ -232,14 +232,14 @@ class Clothesline final : public StagedScene {
 
     bool inBalance() const {
         for (int n = 0; n < cloth().body().m_nodes.size(); ++n)
-            if (std::abs(cloth().wet().content(n) - balance_) > balanced * balance_) return false;
+            if (std::abs(cloth().wet().moistureContent(n) - balance_) > balanced * balance_) return false;
         return true;
     }
 
     double fractionOfDryNodes() const {
         int dry = 0;
         for (int n = 0; n < cloth().body().m_nodes.size(); ++n)
-            dry += cloth().wet().content(n) < cloth().fabric().boundMaximum ? 1 : 0;
+            dry += cloth().wet().moistureContent(n) < cloth().fabric().boundMaximum ? 1 : 0;
         return double(dry) / cloth().body().m_nodes.size();
     }
 

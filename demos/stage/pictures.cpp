@@ -96,7 +96,7 @@ std::vector<float> values(const btSoftBody& body, const WetCloth& cloth, View vi
         case View::beauty:
             return {};
         case View::content:
-            return ofEachNode(body, [&](int node) { return cloth.content(node); });
+            return ofEachNode(body, [&](int node) { return cloth.moistureContent(node); });
         case View::film:
             return ofEachNode(body, [&](int node) {
                 return 1e6 * cloth.moisture().filmThickness(static_cast<std::size_t>(node));

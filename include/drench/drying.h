@@ -40,9 +40,9 @@ class DRENCH_API Isotherm {
     explicit Isotherm(const Fabric& fabric);
 
     /// Equilibrium moisture content, kg of water per kg of dry cloth, at a relative humidity of 0 to 1 (clamped).
-    double content(double humidity) const;
-    /// Inverse of `content`: equilibrium relative humidity, 0 to 1; 1 at and above the bound maximum.
-    double activity(double content) const;
+    double moistureContent(double humidity) const;
+    /// Inverse of `moistureContent`: equilibrium relative humidity, 0 to 1; 1 at and above the bound maximum.
+    double activity(double moistureContent) const;
 
     /// Monolayer moisture content X, kg/kg.
     double monolayer() const { return monolayer_; }

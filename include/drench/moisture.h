@@ -140,7 +140,7 @@ class DRENCH_API Moisture {
     /// Pore water over pore capacity, 0 to 1; 0 for a node without area.
     double saturation(std::size_t node) const;
     /// Moisture content: kg of water, in pores and film, per kg of dry cloth; 0 for a node without area.
-    double content(std::size_t node) const;
+    double moistureContent(std::size_t node) const;
     /// Thickness of the film on one face, m.
     double filmThickness(std::size_t node) const;
 

@@ -199,7 +199,7 @@ class DRENCH_API WetCloth {
     /// Pore water of a node over its pore capacity, 0 to 1.
     double saturation(int node) const;
     /// Moisture content of a node: kg of water, in pores and film, per kg of dry cloth.
-    double content(int node) const;
+    double moistureContent(int node) const;
     /// Diffuse colour of a node; see `WetLaws::albedo`.
     Colour albedo(int node) const;
     /// Share of light that the cloth transmits at a node, 0 to 1; see `WetLaws::transmittance`.

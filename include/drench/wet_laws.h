@@ -30,15 +30,17 @@ class DRENCH_API WetLaws {
     double mass(double area, double water) const { return area * arealDensity_ + water; }
 
     /// Softening of the fibre by bound water, 0 to 1: moisture content over the bound maximum, at most 1.
-    /// @param content  kg of water per kg of dry cloth
-    double softening(double content) const;
+    /// @param moistureContent  kg of water per kg of dry cloth
+    double softening(double moistureContent) const;
 
     /// Stretch and shear stiffness over the dry value, dimensionless: 1 + (wet ratio - 1) softening.
-    double stretchRatio(double content) const { return ratio(wetStretchRatio_, content); }
+    double stretchRatio(double moistureContent) const { return ratio(wetStretchRatio_, moistureContent); }
     /// Bending rigidity over the dry value, dimensionless; the same formula.
-    double bendingRatio(double content) const { return ratio(wetBendingRatio_, content); }
+    double bendingRatio(double moistureContent) const { return ratio(wetBendingRatio_, moistureContent); }
     /// Bending friction over the dry value, dimensionless; the same formula.
-    double bendingFrictionRatio(double content) const { return ratio(wetBendingFrictionRatio_, content); }
+    double bendingFrictionRatio(double moistureContent) const {
+        return ratio(wetBendingFrictionRatio_, moistureContent);
+    }
 
     /// Energy to peel the cloth off a wettable surface or another wet cloth, J/m2: `Fabric::clingEnergy` times a factor
     /// of the saturation and one of the film (both assumed, linear in between). The first is 0 up to the bound maximum
@@ -68,7 +70,9 @@ class DRENCH_API WetLaws {
     static double gloss(double filmThickness);
 
   private:
-    double ratio(double wetRatio, double content) const { return 1 + (wetRatio - 1) * softening(content); }
+    double ratio(double wetRatio, double moistureContent) const {
+        return 1 + (wetRatio - 1) * softening(moistureContent);
+    }
 
     double arealDensity_;
     double boundMaximum_;

@@ -54,8 +54,8 @@ WetLaws::WetLaws(const Fabric& fabric)
     }
 }
 
-double WetLaws::softening(double content) const {
-    return std::clamp(content / boundMaximum_, 0.0, 1.0);
+double WetLaws::softening(double moistureContent) const {
+    return std::clamp(moistureContent / boundMaximum_, 0.0, 1.0);
 }
 
 double WetLaws::clingEnergy(double saturation, double filmThickness) const {

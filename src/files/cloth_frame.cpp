@@ -63,7 +63,7 @@ void validate(const ClothFrame& frame) {
     checkList(frame, "poreMasses", frame.poreMasses);
     checkList(frame, "filmMasses", frame.filmMasses);
     checkList(frame, "filmThicknesses", frame.filmThicknesses);
-    checkList(frame, "contents", frame.contents);
+    checkList(frame, "moistureContents", frame.moistureContents);
     checkList(frame, "saturations", frame.saturations);
     checkList(frame, "glosses", frame.glosses);
     checkList(frame, "colours", frame.colours);

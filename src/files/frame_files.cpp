@@ -64,8 +64,8 @@ void writeCsv(const std::filesystem::path& path, double time, const std::vector<
             const Eigen::Vector3f &position = sheet.positions[n], &colour = sheet.colours[n];
             text << time << ',' << sheet.name << ',' << n << ',' << position.x() << ',' << position.y() << ','
                  << position.z() << ',' << sheet.masses[n] << ',' << sheet.poreMasses[n] << ','
-                 << sheet.filmMasses[n] << ',' << sheet.filmThicknesses[n] << ',' << sheet.contents[n] << ','
-                 << sheet.saturations[n] << ',' << colour.x() << ',' << colour.y() << ',' << colour.z()
+                 << sheet.filmMasses[n] << ',' << sheet.filmThicknesses[n] << ',' << sheet.moistureContents[n]
+                 << ',' << sheet.saturations[n] << ',' << colour.x() << ',' << colour.y() << ',' << colour.z()
                  << '\n';
         }
     files::writeWhole(path, text.str());

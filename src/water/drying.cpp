@@ -140,17 +140,18 @@ Isotherm::Isotherm(const Fabric& fabric) {
     monolayer_ = fabric.boundMaximum / layers(1, firstLayerConstant_, multilayerConstant_);
 }
 
-double Isotherm::content(double humidity) const {
+double Isotherm::moistureContent(double humidity) const {
     return monolayer_ * layers(std::clamp(humidity, 0.0, 1.0), firstLayerConstant_, multilayerConstant_);
 }
 
 // The isotherm solved for y is (c - 1) W y^2 + B y - W = 0, B = X c - (c - 2) W. This form of its positive root
 // divides by nothing that vanishes as W does.
-double Isotherm::activity(double content) const {
-    if (content <= 0) return 0;
+double Isotherm::activity(double moistureContent) const {
+    if (moistureContent <= 0) return 0;
     const double c = firstLayerConstant_;
-    const double linear = monolayer_ * c - (c - 2) * content;
-    const double y = 2 * content / (linear + std::sqrt(linear * linear + 4 * (c - 1) * content * content));
+    const double linear = monolayer_ * c - (c - 2) * moistureContent;
+    const double y = 2 * moistureContent /
+                     (linear + std::sqrt(linear * linear + 4 * (c - 1) * moistureContent * moistureContent));
     return std::min(1.0, y / multilayerConstant_);
 }
 

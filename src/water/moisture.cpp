@@ -247,7 +247,7 @@ double Moisture::saturation(std::size_t node) const {
     return areas_[node] > 0 ? std::min(poreMass_[node] / capacities_[node], 1.0) : 0.0;
 }
 
-double Moisture::content(std::size_t node) const {
+double Moisture::moistureContent(std::size_t node) const {
     return areas_[node] > 0 ? (poreMass_[node] + filmMass_[node]) / (areas_[node] * arealDensity_) : 0.0;
 }
 

@@ -19,7 +19,7 @@ VapourExchange::Totals VapourExchange::exchange(double dt, double rate, double h
                                                 std::vector<double>& filmMass) const {
     const auto toGo = static_cast<float>(rate * dt);  // kg/m2 that a wet sheet would lose
     const auto relativeHumidity = static_cast<float>(humidity);
-    const auto driest = static_cast<float>(isotherm_.content(humidity));
+    const auto driest = static_cast<float>(isotherm_.moistureContent(humidity));
     const auto bound = static_cast<float>(boundMaximum_);
     const auto monolayer = static_cast<float>(isotherm_.monolayer() * isotherm_.firstLayerConstant());
     const auto c = static_cast<float>(isotherm_.firstLayerConstant());
@@ -43,9 +43,10 @@ VapourExchange::Totals VapourExchange::exchange(double dt, double rate, double h
         const float rest = whole - static_cast<float>(fromFilm + fromPores);
 
         // The isotherm's inverse; see Isotherm::activity.
-        const float content = static_cast<float>(left) * inverseClothMass[n];
-        const float b = monolayer - (c - 2) * content;
-        const float y = 2 * content / (b + std::sqrt(b * b + 4 * (c - 1) * content * content) + tiny);
+        const float moistureContent = static_cast<float>(left) * inverseClothMass[n];
+        const float b = monolayer - (c - 2) * moistureContent;
+        const float y = 2 * moistureContent /
+                        (b + std::sqrt(b * b + 4 * (c - 1) * moistureContent * moistureContent) + tiny);
         const float activity = std::min(y * inverseK, 1.0f);
         // Implicit in the distance to the balance, which so is never passed.
         const float full = rest * (activity - relativeHumidity) * inverseDrying;

@@ -165,8 +165,8 @@ class Hanging {
             if (stiffness[i].kind == LinkKind::bending) continue;
             double ratio = 1;
             if (cloth_)
-                ratio = 0.5 * (laws.stretchRatio(cloth_->content(links[i].nodes[0])) +
-                               laws.stretchRatio(cloth_->content(links[i].nodes[1])));
+                ratio = 0.5 * (laws.stretchRatio(cloth_->moistureContent(links[i].nodes[0])) +
+                               laws.stretchRatio(cloth_->moistureContent(links[i].nodes[1])));
             problem.springs.push_back({links[i].nodes, links[i].length, stiffness[i].dry * ratio});
         }
         return problem;

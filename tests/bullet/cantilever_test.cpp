@@ -164,13 +164,13 @@ INSTANTIATE_TEST_SUITE_P(Cloths, BendingLength,
 
 TEST(Cantilever, SoakedClothBendsOverAShorterLength) {
     const Fabric fabric = bendable(fabrics::cottonPlain().bending, 0.150);
-    constexpr double content = 1.5;  // kg/kg
-    const double expected =
-        theory(fabric.bending * WetLaws(fabric).bendingRatio(content), fabric.arealDensity * (1 + content));
+    constexpr double moistureContent = 1.5;  // kg/kg
+    const double expected = theory(fabric.bending * WetLaws(fabric).bendingRatio(moistureContent),
+                                   fabric.arealDensity * (1 + moistureContent));
     ASSERT_LT(expected, 0.7 * theory(fabric.bending, fabric.arealDensity));
     for (const Direction along : {Direction::warp, Direction::weft}) {
         Strip strip(fabric, 2 * expected, along);
-        strip.cloth().soakPores(content * fabric.arealDensity);
+        strip.cloth().soakPores(moistureContent * fabric.arealDensity);
         strip.run(3);
         const double found = bendingLength(2 * expected, strip.tipAngle());
         EXPECT_NEAR(found / expected, 1, 0.05);

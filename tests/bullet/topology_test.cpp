@@ -73,7 +73,7 @@ TEST(Topology, ACutIsFollowedWithItsWater) {
                                   a = rig.cloth().materialCoordinates()[std::size_t(at(4, 4))],
                                   b = rig.cloth().materialCoordinates()[std::size_t(at(5, 4))];
             EXPECT_LT((position - (0.75 * a + 0.25 * b)).norm(), 1e-3);
-            EXPECT_GT(rig.cloth().content(node), 0);
+            EXPECT_GT(rig.cloth().moistureContent(node), 0);
             EXPECT_LT(rig.cloth().nodeMass(node), rig.cloth().nodeMass(at(4, 4)));
             EXPECT_NEAR(double(rig.sheet().m_nodes[node].m_im) * rig.cloth().nodeMass(node), 1, 1e-5);
         }
@@ -272,14 +272,14 @@ TEST(Topology, WhatIsNoClothIsLeftToBulletAndSaidSo) {
             EXPECT_FALSE(rig.cloth().health().fits);
             EXPECT_EQ(rig.cloth().health().largestStrain, 0);
             rig.cloth().add(Rain(10));
-            EXPECT_GT(rig.cloth().content(at(4, 4)), 0);
+            EXPECT_GT(rig.cloth().moistureContent(at(4, 4)), 0);
             drops.step(0.1);
             const double before = water(rig.cloth());
             rig.run(5);
             EXPECT_EQ(test::reportOf(rig.cloth(), Trouble::topology).substeps, 5);
             EXPECT_EQ(water(rig.cloth()), before);
             EXPECT_TRUE(rig.cloth().health().finite);
-            EXPECT_GT(rig.cloth().content(at(4, 4)), 0);
+            EXPECT_GT(rig.cloth().moistureContent(at(4, 4)), 0);
             rig.cloth().addWater(40, 1e-3);
             EXPECT_LT(test::ledgerError(rig.cloth()), 1e-12);
             drops.step(0.1);

@@ -218,8 +218,8 @@ TEST(WetBody, WetsTheClothThatTouchesIt) {
     EXPECT_GT(cloth.waterMass(), 1e-3);
     EXPECT_NEAR(cloth.waterMass() + cloth.ledger().dripped + wet.amount, 0.01, 1e-9);
     // A corner hangs free and stays dry; the middle lies on the ball.
-    EXPECT_LT(cloth.content(0), 1e-6);
-    EXPECT_GT(cloth.content(312), 0.05);
+    EXPECT_LT(cloth.moistureContent(0), 1e-6);
+    EXPECT_GT(cloth.moistureContent(312), 0.05);
     expectClosed(cloth);
 }
 

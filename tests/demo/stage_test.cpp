@@ -88,7 +88,7 @@ TEST(Stage, ASoakWetsItsCircleOnly) {
     const SceneCloth& sheet = *stage.sheets()[0];
     for (int n = 0; n < sheet.body().m_nodes.size(); ++n) {
         const double away = (sheet.flatPosition(n) - Eigen::Vector2d(0.2, 0.3)).norm();
-        const double content = sheet.wet().content(n);
+        const double content = sheet.wet().moistureContent(n);
         EXPECT_TRUE(away > 0.15 || content > 0.1) << n << " holds " << content;
         EXPECT_TRUE(away < 0.45 || content < 1e-3) << n << " holds " << content;
     }

@@ -56,7 +56,7 @@ TEST(Views, HaveTheQuantityOfEachNodeAndARangeThatSuits) {
     const auto films = values(portrait.body(), portrait.cloth(), View::film);
     ASSERT_EQ(contents.size(), 441u);
     ASSERT_EQ(films.size(), 441u);
-    EXPECT_FLOAT_EQ(contents[7], float(portrait.cloth().content(7)));
+    EXPECT_FLOAT_EQ(contents[7], float(portrait.cloth().moistureContent(7)));
     EXPECT_FLOAT_EQ(films[7], float(1e6 * portrait.cloth().moisture().filmThickness(7)));
     EXPECT_GT(films[7], 40);
     EXPECT_EQ(films[8], 0);

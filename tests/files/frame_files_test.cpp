@@ -75,7 +75,7 @@ TEST(FrameFiles, CsvHasALineForEachNode) {
             EXPECT_NEAR(std::stod(row[7]), sheet.poreMasses[n], 1e-8 * sheet.poreMasses[n]);
             EXPECT_NEAR(std::stod(row[8]), sheet.filmMasses[n], 1e-8 * sheet.filmMasses[n]);
             EXPECT_NEAR(std::stod(row[9]), sheet.filmThicknesses[n], 1e-8 * sheet.filmThicknesses[n]);
-            EXPECT_NEAR(std::stod(row[10]), sheet.contents[n], 1e-8 * sheet.contents[n]);
+            EXPECT_NEAR(std::stod(row[10]), sheet.moistureContents[n], 1e-8 * sheet.moistureContents[n]);
             EXPECT_EQ(std::stof(row[11]), sheet.saturations[n]);
             EXPECT_EQ(std::stof(row[14]), sheet.colours[n].z());
             mass += std::stod(row[7]) + std::stod(row[8]);

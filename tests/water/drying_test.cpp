@@ -177,13 +177,13 @@ TEST(Isotherm, PassesThroughTheRegainAndTheBoundMaximum) {
     for (const std::string& name : fabrics::names()) {
         const Fabric fabric = fabrics::byName(name);
         const Isotherm isotherm(fabric);
-        EXPECT_NEAR(isotherm.content(0.65), fabric.regain, 1e-12) << name;
-        EXPECT_NEAR(isotherm.content(1), fabric.boundMaximum, 1e-12) << name;
-        EXPECT_EQ(isotherm.content(0), 0.0) << name;
+        EXPECT_NEAR(isotherm.moistureContent(0.65), fabric.regain, 1e-12) << name;
+        EXPECT_NEAR(isotherm.moistureContent(1), fabric.boundMaximum, 1e-12) << name;
+        EXPECT_EQ(isotherm.moistureContent(0), 0.0) << name;
         EXPECT_EQ(isotherm.firstLayerConstant(), 10.0);
     }
     // Cotton at 65 % holds 7 to 8.5 % of water (measured).
-    const double cotton = Isotherm(fabrics::cottonPlain()).content(0.65);
+    const double cotton = Isotherm(fabrics::cottonPlain()).moistureContent(0.65);
     EXPECT_GT(cotton, 0.07);
     EXPECT_LT(cotton, 0.085);
 }
@@ -194,7 +194,7 @@ TEST(Isotherm, FollowsTheFormulaOfGuggenheimAndersonDeBoer) {
     EXPECT_NEAR(cotton.monolayer(), 0.0372, 1e-4);
     EXPECT_NEAR(cotton.multilayerConstant(), 0.834, 1e-3);
     // By hand at 30 %: y = 0.834 x 0.3 = 0.2502, W = 0.0372 x 2.502 / (0.7498 x 3.2518).
-    EXPECT_NEAR(cotton.content(0.30), 0.0382, 1e-4);
+    EXPECT_NEAR(cotton.moistureContent(0.30), 0.0382, 1e-4);
 }
 
 TEST(Isotherm, ActivityIsTheInverseOfContent) {
@@ -202,8 +202,8 @@ TEST(Isotherm, ActivityIsTheInverseOfContent) {
         const Isotherm isotherm(fabrics::byName(name));
         for (int i = 1; i <= 1000; ++i) {
             const double humidity = 0.001 * i;
-            EXPECT_NEAR(isotherm.activity(isotherm.content(humidity)), humidity, 1e-12) << name;
-            EXPECT_GT(isotherm.content(humidity), isotherm.content(humidity - 0.001)) << name;
+            EXPECT_NEAR(isotherm.activity(isotherm.moistureContent(humidity)), humidity, 1e-12) << name;
+            EXPECT_GT(isotherm.moistureContent(humidity), isotherm.moistureContent(humidity - 0.001)) << name;
         }
     }
 }
@@ -213,8 +213,9 @@ TEST(Isotherm, ActivityRisesWithContentAndStaysBetweenZeroAndOne) {
         const Fabric fabric = fabrics::byName(name);
         const Isotherm isotherm(fabric);
         for (int i = 0; i < 1000; ++i) {
-            const double content = 0.001 * i * fabric.boundMaximum;
-            EXPECT_LT(isotherm.activity(content), isotherm.activity(content + 0.001 * fabric.boundMaximum));
+            const double moistureContent = 0.001 * i * fabric.boundMaximum;
+            EXPECT_LT(isotherm.activity(moistureContent),
+                      isotherm.activity(moistureContent + 0.001 * fabric.boundMaximum));
         }
         EXPECT_EQ(isotherm.activity(0), 0.0);
         EXPECT_EQ(isotherm.activity(-0.1), 0.0);
@@ -227,14 +228,14 @@ TEST(Isotherm, ActivityKeepsItsDigitsAtTracesOfWater) {
     const Isotherm isotherm(fabrics::wool());
     // Nearly dry, the isotherm is the line W = X c k a.
     const double slope = isotherm.monolayer() * isotherm.firstLayerConstant() * isotherm.multilayerConstant();
-    for (const double content : {1e-9, 1e-12, 1e-15, 1e-200})
-        EXPECT_NEAR(isotherm.activity(content) * slope / content, 1, 1e-6) << content;
+    for (const double moistureContent : {1e-9, 1e-12, 1e-15, 1e-200})
+        EXPECT_NEAR(isotherm.activity(moistureContent) * slope / moistureContent, 1, 1e-6) << moistureContent;
 }
 
 TEST(Isotherm, HumidityIsClamped) {
     const Isotherm isotherm(fabrics::linen());
-    EXPECT_EQ(isotherm.content(-0.5), 0.0);
-    EXPECT_EQ(isotherm.content(1.5), isotherm.content(1));
+    EXPECT_EQ(isotherm.moistureContent(-0.5), 0.0);
+    EXPECT_EQ(isotherm.moistureContent(1.5), isotherm.moistureContent(1));
 }
 
 TEST(Isotherm, TakesFabricsAtTheEdgesOfTheirRange) {
@@ -243,15 +244,15 @@ TEST(Isotherm, TakesFabricsAtTheEdgesOfTheirRange) {
     repellent.regain = 0;
     const Isotherm steepest(repellent);
     EXPECT_EQ(steepest.multilayerConstant(), 0.999);
-    EXPECT_NEAR(steepest.content(1), 0.02, 1e-12);
-    EXPECT_LT(steepest.content(0.65), 0.02 / 300);
+    EXPECT_NEAR(steepest.moistureContent(1), 0.02, 1e-12);
+    EXPECT_LT(steepest.moistureContent(0.65), 0.02 / 300);
 
     Fabric flat = fabrics::cottonPlain();
     flat.boundMaximum = 0.16;
     flat.regain = 0.0999;
     const Isotherm flattest(flat);
-    EXPECT_NEAR(flattest.content(0.65), 0.0999, 1e-12);
-    EXPECT_NEAR(flattest.content(1), 0.16, 1e-12);
+    EXPECT_NEAR(flattest.moistureContent(0.65), 0.0999, 1e-12);
+    EXPECT_NEAR(flattest.moistureContent(1), 0.16, 1e-12);
 }
 
 TEST(Isotherm, RefusesAFabricOutOfRange) {

@@ -58,7 +58,7 @@ TEST(VapourExchange, FilmGoesFirst) {
 }
 
 struct Drying {
-    std::vector<double> content, slope;  // kg/kg, and its loss per second
+    std::vector<double> moistureContent, slope;  // kg/kg, and its loss per second
 };
 
 Drying dryFromWet(const Fabric& fabric, double start, double dt, double seconds, double humidity) {
@@ -66,10 +66,10 @@ Drying dryFromWet(const Fabric& fabric, double start, double dt, double seconds,
     water.addPores(0, start * fabric.arealDensity * 0.01);
     Drying drying;
     for (double t = 0; t < seconds; t += dt) {
-        const double before = water.content(0);
+        const double before = water.moistureContent(0);
         water.step(dt, room(humidity));
-        drying.content.push_back(0.5 * (before + water.content(0)));
-        drying.slope.push_back((before - water.content(0)) / dt);
+        drying.moistureContent.push_back(0.5 * (before + water.moistureContent(0)));
+        drying.slope.push_back((before - water.moistureContent(0)) / dt);
     }
     return drying;
 }
@@ -80,13 +80,13 @@ TEST(VapourExchange, TheConstantRateEndsAtTheBoundMaximum) {
         const double full = rate / fabric.arealDensity;
         const double dt = 0.005 * fabric.boundMaximum / full;
         const Drying drying = dryFromWet(fabric, 2 * fabric.boundMaximum, dt, 1000 * dt, 0.40);
-        ASSERT_GT(drying.content.front(), 1.9 * fabric.boundMaximum) << name;
+        ASSERT_GT(drying.moistureContent.front(), 1.9 * fabric.boundMaximum) << name;
         double knee = 0;  // content at which the rate has first fallen, by half a per cent
         for (std::size_t i = 0; i < drying.slope.size() && knee == 0; ++i) {
-            if (drying.content[i] > 1.05 * fabric.boundMaximum) {
+            if (drying.moistureContent[i] > 1.05 * fabric.boundMaximum) {
                 EXPECT_NEAR(drying.slope[i] / full, 1, 1e-5) << name;
             }
-            if (drying.slope[i] < 0.995 * full) knee = drying.content[i];
+            if (drying.slope[i] < 0.995 * full) knee = drying.moistureContent[i];
         }
         EXPECT_NEAR(knee / fabric.boundMaximum, 1, 0.05) << name;
         std::printf("  %s: knee at %.4f of the bound maximum\n", name.c_str(), knee / fabric.boundMaximum);
@@ -101,11 +101,12 @@ TEST(VapourExchange, TheFallingRateFollowsTheActivity) {
     const Isotherm isotherm(cotton);
     const Drying drying = dryFromWet(cotton, 0.3, 1, 4000, 0.5);
     int compared = 0;
-    for (std::size_t i = 0; i < drying.content.size(); ++i) {
-        if (drying.content[i] > 0.21 || drying.content[i] < 0.08) continue;
+    for (std::size_t i = 0; i < drying.moistureContent.size(); ++i) {
+        if (drying.moistureContent[i] > 0.21 || drying.moistureContent[i] < 0.08) continue;
         ++compared;
-        const double law = rate / cotton.arealDensity * (isotherm.activity(drying.content[i]) - 0.5) / 0.5;
-        EXPECT_NEAR(drying.slope[i] / law, 1, 0.01) << drying.content[i];
+        const double law =
+            rate / cotton.arealDensity * (isotherm.activity(drying.moistureContent[i]) - 0.5) / 0.5;
+        EXPECT_NEAR(drying.slope[i] / law, 1, 0.01) << drying.moistureContent[i];
     }
     EXPECT_GT(compared, 10);
 }
@@ -119,12 +120,13 @@ TEST(VapourExchange, EndsInBalanceWithTheRoom) {
                 wet.addPores(0, 0.5 * wet.poreCapacity(0));
                 run(wet, 86400, dt, room(humidity));
                 run(dry, 86400, dt, room(humidity));
-                const double balance = Isotherm(fabric).content(humidity);
-                EXPECT_NEAR(wet.content(0), balance, 0.01 * balance + 1e-4 * fabric.boundMaximum)
+                const double balance = Isotherm(fabric).moistureContent(humidity);
+                EXPECT_NEAR(wet.moistureContent(0), balance, 0.01 * balance + 1e-4 * fabric.boundMaximum)
                     << name << " at " << humidity;
-                EXPECT_NEAR(dry.content(0), balance, 0.01 * balance + 1e-6) << name << " at " << humidity;
+                EXPECT_NEAR(dry.moistureContent(0), balance, 0.01 * balance + 1e-6)
+                    << name << " at " << humidity;
             }
-    EXPECT_NEAR(Isotherm(fabrics::cottonPlain()).content(0.65), 0.075, 1e-9);
+    EXPECT_NEAR(Isotherm(fabrics::cottonPlain()).moistureContent(0.65), 0.075, 1e-9);
 }
 
 TEST(VapourExchange, DryClothInDampAirGainsAndTheLedgerSaysFromWhere) {
@@ -132,7 +134,7 @@ TEST(VapourExchange, DryClothInDampAirGainsAndTheLedgerSaysFromWhere) {
     Moisture water = sheet(cotton);
     run(water, 20000, 1, room(0.65));
     const Ledger ledger = water.ledger();
-    EXPECT_NEAR(water.content(0), 0.075, 0.00075);
+    EXPECT_NEAR(water.moistureContent(0), 0.075, 0.00075);
     EXPECT_EQ(ledger.accounts[1].name, "humid air");
     EXPECT_EQ(ledger.accounts[1].supplied, ledger.supplied);
     EXPECT_NEAR(ledger.supplied, ledger.held + ledger.evaporated, 1e-12 * ledger.supplied);
@@ -145,15 +147,15 @@ TEST(VapourExchange, DryClothInDampAirGainsAndTheLedgerSaysFromWhere) {
 TEST(VapourExchange, LongStepsNeverPassTheBalance) {
     for (const double dt : {60.0, 3600.0, 1e6})
         for (const double humidity : {0.0, 0.3, 0.65, 0.99}) {
-            const double balance = Isotherm(fabrics::cottonPlain()).content(humidity);
+            const double balance = Isotherm(fabrics::cottonPlain()).moistureContent(humidity);
             Moisture wet = sheet(fabrics::cottonPlain()), dry = sheet(fabrics::cottonPlain());
             wet.addPores(0, wet.poreCapacity(0));
             wet.addFilm(0, 1e-3);
             for (int i = 0; i < 100; ++i) {
                 wet.step(dt, room(humidity));
                 dry.step(dt, room(humidity));
-                ASSERT_GE(wet.content(0), balance * (1 - 1e-5)) << "dt " << dt << " at " << humidity;
-                ASSERT_LE(dry.content(0), balance * (1 + 1e-5)) << "dt " << dt << " at " << humidity;
+                ASSERT_GE(wet.moistureContent(0), balance * (1 - 1e-5)) << "dt " << dt << " at " << humidity;
+                ASSERT_LE(dry.moistureContent(0), balance * (1 + 1e-5)) << "dt " << dt << " at " << humidity;
             }
         }
 }
@@ -165,7 +167,7 @@ TEST(VapourExchange, LongStepsDryAsShortOnes) {
     for (int hour = 0; hour < 3; ++hour) {
         run(minutes, 3600, 60, room(0.4));
         run(seconds, 3600, 0.5, room(0.4));
-        EXPECT_NEAR(minutes.content(0), seconds.content(0), 0.01) << "hour " << hour;
+        EXPECT_NEAR(minutes.moistureContent(0), seconds.moistureContent(0), 0.01) << "hour " << hour;
     }
 }
 

@@ -51,9 +51,9 @@ TEST(Moisture, WhatThePoresCannotHoldStaysInTheFilm) {
 TEST(Moisture, ContentIsWaterOverDryCloth) {
     Moisture water = oneNode(0.02);
     water.addFilm(0, 0.006);
-    EXPECT_NEAR(water.content(0), 0.006 / (0.02 * 0.150), 1e-12);
+    EXPECT_NEAR(water.moistureContent(0), 0.006 / (0.02 * 0.150), 1e-12);
     water.step(0.5);
-    EXPECT_NEAR(water.content(0), 0.006 / (0.02 * 0.150), 1e-12);  // absorbed or not
+    EXPECT_NEAR(water.moistureContent(0), 0.006 / (0.02 * 0.150), 1e-12);  // absorbed or not
 }
 
 TEST(Moisture, PoresTakeWhatTheyHoldAndTheRestStandsOnTheFaces) {
@@ -164,7 +164,7 @@ TEST(Moisture, RefusesWhatIsNoWaterAndStaysAsItWas) {
     EXPECT_THROW(water.step(nan), std::invalid_argument);
     EXPECT_EQ(water.totalFilmMass(), 1e-3);
     EXPECT_EQ(water.ledger().supplied, 1e-3);
-    EXPECT_EQ(water.content(1), 0.0);
+    EXPECT_EQ(water.moistureContent(1), 0.0);
     EXPECT_EQ(water.saturation(1), 0.0);
     EXPECT_EQ(water.filmThickness(1), 0.0);
     EXPECT_THROW(Moisture(fabrics::cottonPlain(), separateNodes({0.01, -0.01})), std::invalid_argument);

@@ -16,8 +16,8 @@ TEST(WetLaws, StiffnessFallsLinearlyToTheWetRatioAtTheBoundMaximum) {
     EXPECT_NEAR(laws.bendingRatio(0.22), 0.6, 1e-12);
     EXPECT_NEAR(laws.bendingFrictionRatio(0.22), 1.7, 1e-12);
     // No jerk: a hundredth more water never changes it by more than its slope allows.
-    for (double content = 0; content < 0.5; content += 0.001)
-        EXPECT_LE(std::abs(laws.stretchRatio(content + 0.001) - laws.stretchRatio(content)),
+    for (double moistureContent = 0; moistureContent < 0.5; moistureContent += 0.001)
+        EXPECT_LE(std::abs(laws.stretchRatio(moistureContent + 0.001) - laws.stretchRatio(moistureContent)),
                   0.4 / 0.22 * 0.001 + 1e-12);
 }
 

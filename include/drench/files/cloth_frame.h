@@ -23,9 +23,9 @@ struct ClothFrame {
     std::vector<double> poreMasses;       ///< pore water, kg
     std::vector<double> filmMasses;       ///< film water, both faces together, kg
     std::vector<double> filmThicknesses;  ///< of the film on one face, m
-    std::vector<double> contents;         ///< kg of water per kg of dry cloth
-    std::vector<float> saturations;       ///< pore water over pore capacity, 0 to 1
-    std::vector<float> glosses;           ///< share that is glossy like water, 0 to 1
+    std::vector<double> moistureContents;  ///< kg of water per kg of dry cloth
+    std::vector<float> saturations;        ///< pore water over pore capacity, 0 to 1
+    std::vector<float> glosses;            ///< share that is glossy like water, 0 to 1
     std::vector<Eigen::Vector3f> colours;  ///< diffuse, linear RGB, 0 to 1
 };
 

@@ -50,7 +50,7 @@ void readWater(ClothFrame& frame, const WetCloth& cloth) {
         const int n = static_cast<int>(node);
         frame.masses.push_back(cloth.nodeMass(n));
         frame.filmThicknesses.push_back(moisture.filmThickness(node));
-        frame.contents.push_back(cloth.content(n));
+        frame.moistureContents.push_back(cloth.moistureContent(n));
         frame.saturations.push_back(float(cloth.saturation(n)));
         frame.glosses.push_back(float(cloth.gloss(n)));
         const Colour colour = cloth.albedo(n);

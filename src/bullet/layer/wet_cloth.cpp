@@ -105,8 +105,8 @@ double WetCloth::nodeMass(int node) const {
 double WetCloth::saturation(int node) const {
     return layer_->moisture.saturation(layer_->checkedNode(node));
 }
-double WetCloth::content(int node) const {
-    return layer_->moisture.content(layer_->checkedNode(node));
+double WetCloth::moistureContent(int node) const {
+    return layer_->moisture.moistureContent(layer_->checkedNode(node));
 }
 Colour WetCloth::albedo(int node) const {
     return layer_->laws.albedo(saturation(node));

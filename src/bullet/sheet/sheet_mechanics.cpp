@@ -33,10 +33,10 @@ void SheetMechanics::evaluate(const WetLaws& laws, const Moisture& moisture) {
     for (std::size_t n = 0; n < masses.size(); ++n) {
         masses[n] = laws.mass(shape.nodeAreas[n], moisture.poreMass()[n] + moisture.filmMass()[n]);
         saturations[n] = moisture.saturation(n);
-        const double content = moisture.content(n);
-        stretchRatios[n] = laws.stretchRatio(content);
-        bendingRatios[n] = laws.bendingRatio(content);
-        bendingFrictionRatios[n] = laws.bendingFrictionRatio(content);
+        const double moistureContent = moisture.moistureContent(n);
+        stretchRatios[n] = laws.stretchRatio(moistureContent);
+        bendingRatios[n] = laws.bendingRatio(moistureContent);
+        bendingFrictionRatios[n] = laws.bendingFrictionRatio(moistureContent);
     }
 }
 
