@@ -9,7 +9,7 @@
 
 namespace drench::test {
 
-/// Cloth that is equally stiff wet and dry, so that water changes nothing but the weight.
+// Cloth that is equally stiff wet and dry, so that water changes nothing but the weight.
 inline Fabric constantStiffness(double stretch) {
     Fabric fabric = fabrics::cottonPlain();
     fabric.stretchWarp = stretch;
@@ -20,17 +20,17 @@ inline Fabric constantStiffness(double stretch) {
     return fabric;
 }
 
-/// How a sheet hangs.
+// How a sheet hangs.
 struct Outcome {
     double sag;         // m, how much lower the lower edge's middle is than at rest
     double meanStrain;  // of stretch and shear links
 };
 
-/// A sheet of side x side metres in the plane z = 0, its upper edge at y = 0, node (i, j) at index i + nodes j.
-/// Each cell is cut along one diagonal, with a third of each triangle to each corner; springs along warp and weft
-/// (half at the border) and both diagonals.
-/// @param massPerArea  kg/m2
-/// @param isPinned     bool of a node's index
+// A sheet of side x side metres in the plane z = 0, its upper edge at y = 0, node (i, j) at index i + nodes j.
+// Each cell is cut along one diagonal, with a third of each triangle to each corner; springs along warp and weft
+// (half at the border) and both diagonals.
+// @param massPerArea  kg/m2
+// @param isPinned     bool of a node's index
 template <typename IsPinned>
 StaticProblem hangingGrid(const Fabric& fabric, double side, int nodes, double massPerArea,
                           IsPinned isPinned) {

@@ -39,7 +39,7 @@ Eigen::VectorXd forces(const StaticProblem& problem, const Positions& x) {
     return f;
 }
 
-/// The energy's second derivative, without the part that a compressed spring makes indefinite.
+// The energy's second derivative, without the part that a compressed spring makes indefinite.
 Eigen::SparseMatrix<double> stiffnessMatrix(const StaticProblem& problem, const Positions& x,
                                             double regular) {
     std::vector<Eigen::Triplet<double>> entries;

@@ -22,11 +22,11 @@ struct StaticProblem {
     Eigen::Vector3d gravity = {0, -9.81, 0};  // m/s2
 };
 
-/// Positions in which every free node's forces add up to less than `tolerance` N, by Newton's method with a
-/// line search on the energy. Throws std::runtime_error if it does not get there.
+// Positions in which every free node's forces add up to less than `tolerance` N, by Newton's method with a
+// line search on the energy. Throws std::runtime_error if it does not get there.
 std::vector<Eigen::Vector3d> solveStatic(const StaticProblem& problem, double tolerance = 1e-7);
 
-/// Mean of |length / rest length - 1| over springs.
+// Mean of |length / rest length - 1| over springs.
 double meanStrain(const StaticProblem& problem, const std::vector<Eigen::Vector3d>& positions);
 
 }  // namespace drench::test

@@ -65,8 +65,8 @@ void exchangeCamera(Fields& fields, viewer::Camera& camera) {
     angle(fields, "fieldOfView", camera.verticalFieldOfView, {5, 120});
 }
 
-/// The shortest turn that takes the y axis to a direction; half a turn round z where that is straight down. As
-/// Eigen::Quaterniond::FromTwoVectors, whose singular values take seconds to compile.
+// The shortest turn that takes the y axis to a direction; half a turn round z where that is straight down. As
+// Eigen::Quaterniond::FromTwoVectors, whose singular values take seconds to compile.
 Eigen::Quaterniond turnFromY(const Eigen::Vector3d& direction) {
     const Eigen::Vector3d along = direction.normalized();
     if (along.y() < -1 + 1e-12) return {0, 0, 0, 1};
@@ -75,7 +75,7 @@ Eigen::Quaterniond turnFromY(const Eigen::Vector3d& direction) {
     return {doubledCosine * 0.5, axis.x(), axis.y(), axis.z()};
 }
 
-/// A capsule is given by its ends.
+// A capsule is given by its ends.
 template <typename Fields>
 void exchangeEnds(Fields& fields, SolidDescription& solid) {
     constexpr double shortest = 1e-4;  // m
@@ -124,7 +124,7 @@ void exchangeShape(Fields& fields, SolidDescription& solid) {
     if (solid.shape == Shape::ball || solid.shape == Shape::box) exchangeTurn(fields, solid.turn);
 }
 
-/// Of lighter bodies single precision cannot hold the inverse inertia.
+// Of lighter bodies single precision cannot hold the inverse inertia.
 void checkMass(const FieldReader& fields, double mass) {
     constexpr double lightest = 1e-6;  // kg
     if (mass > 0 && mass < lightest)
@@ -225,7 +225,7 @@ void exchangeSource(Fields& fields, SourceDescription& source) {
     std::visit([&](auto& water) { exchangeWater(fields, water); }, source.water);
 }
 
-/// Refuses a name that an entry before has.
+// Refuses a name that an entry before has.
 template <typename Entries>
 void checkNames(const FieldReader& fields, const std::string& list, const Entries& entries) {
     std::set<std::string> names;
@@ -235,7 +235,7 @@ void checkNames(const FieldReader& fields, const std::string& list, const Entrie
                           "\", which another has already");
 }
 
-/// What depends on several of a scene's parts.
+// What depends on several of a scene's parts.
 void checkWhole(const FieldReader& fields, const SceneDescription& scene) {
     double nodes = 0;
     for (const SheetDescription& sheet : scene.sheets) nodes += double(sheet.nodes[0]) * sheet.nodes[1];

@@ -25,13 +25,13 @@ inline constexpr Range speeds{-1e3, 1e3};  // m/s
 inline constexpr double minDirection = 1e-6;
 inline constexpr double maxNodes = 2.5e5;  // of all sheets together
 
-/// Without the digits that a single-precision number only seems to have.
+// Without the digits that a single-precision number only seems to have.
 inline double widened(float value) {
     constexpr double digits = 1e6;
     return std::round(double(value) * digits) / digits;
 }
 
-/// An angle that a file has in degrees.
+// An angle that a file has in degrees.
 template <typename Fields, typename Number>
 void angle(Fields& fields, const std::string& key, Number& value, const Range& range) {
     double inDegrees = degrees(double(value));
@@ -57,10 +57,10 @@ void optionalChoice(Fields& fields, const std::string& key, std::optional<Value>
     }
 }
 
-/// Reads a sheet. @throws std::invalid_argument as `files::FieldReader`
+// Reads a sheet. @throws std::invalid_argument as `files::FieldReader`
 void exchangeSheet(files::FieldReader& fields, SheetDescription& sheet);
 
-/// Writes a sheet.
+// Writes a sheet.
 void exchangeSheet(files::FieldWriter& fields, SheetDescription& sheet);
 
 }  // namespace drench::demo

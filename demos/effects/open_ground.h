@@ -7,15 +7,15 @@
 
 namespace drench::demo {
 
-/// The mean of what WetSpots show, over ground that rain falls on evenly. Only for the eye.
+// The mean of what WetSpots show, over ground that rain falls on evenly. Only for the eye.
 class OpenGround {
   public:
-    /// Share of the area of a wet spot that lies within its uneven outline (assumed).
+    // Share of the area of a wet spot that lies within its uneven outline (assumed).
     static constexpr double withinOutline = 0.65;
 
-    /// Adds rain, kg/m2, at least 0; `followed` is the region in which each drop is followed.
+    // Adds rain, kg/m2, at least 0; `followed` is the region in which each drop is followed.
     void rain(double massPerArea, const Eigen::AlignedBox3d& followed);
-    /// Takes so much water from all of it, kg/m2.
+    // Takes so much water from all of it, kg/m2.
     void dry(double massPerArea);
     void show(viewer::Picture& picture) const;
 

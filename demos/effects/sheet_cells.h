@@ -10,13 +10,13 @@
 
 namespace drench::demo {
 
-/// The cells of a grid round one sheet that the sheet runs through, as it was when this was made.
+// The cells of a grid round one sheet that the sheet runs through, as it was when this was made.
 class SheetCells {
   public:
     explicit SheetCells(const btSoftBody& sheet);
 
-    /// The share of the way from one place to another after which it meets the sheet, to within a cell; none
-    /// if it does not.
+    // The share of the way from one place to another after which it meets the sheet, to within a cell; none
+    // if it does not.
     std::optional<double> firstMet(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
   private:

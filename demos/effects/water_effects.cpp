@@ -30,7 +30,7 @@ constexpr std::int64_t maxTogether = 4;
 constexpr double dropsPerSecond = 1500;  // that stand for the water of a nozzle
 constexpr double patchLength = 0.5;      // m, of a wet spot along the air, for its drying
 
-/// Drops over 1 mm in a cubic metre of rain (Marshall & Palmer 1948).
+// Drops over 1 mm in a cubic metre of rain (Marshall & Palmer 1948).
 double dropsPerVolume(double intensity) {
     const double slope = 4.1 * std::pow(intensity, -0.21);  // 1/mm
     return 8000 / slope * std::exp(-slope);
@@ -40,7 +40,7 @@ double dropRadius(double mass) {
     return std::cbrt(3 * mass / (4 * pi * waterDensity));
 }
 
-/// Of the drops of sprays, that may be threads of water.
+// Of the drops of sprays, that may be threads of water.
 std::size_t jetThreads(const WaterEffectsLimits& limits) {
     return limits.drops / 8;
 }
@@ -136,7 +136,7 @@ void WaterEffects::step(double frameTime, const Air& air, double waterSpeed) {
     openGround_.dry(dried);
 }
 
-/// From 0 to below 1, alike on every machine.
+// From 0 to below 1, alike on every machine.
 double WaterEffects::random() {
     return double(generator_()) / 4294967296.0;
 }
@@ -172,7 +172,7 @@ const Eigen::AlignedBox3d* WaterEffects::poolRound(const Eigen::Vector3d& positi
     return nullptr;
 }
 
-/// Only where something falls that they could stop.
+// Only where something falls that they could stop.
 void WaterEffects::findSheets() {
     sheets_.clear();
     if (rain_.empty() && spray_.empty() && nozzles_.empty() && !(shower_.intensity > 0)) return;
@@ -200,8 +200,8 @@ void WaterEffects::beginRain(double frameTime) {
         if (rain_.size() < limits_.streaks) beginDrop(massPerTime * fallTime / number, random(0, frameTime));
 }
 
-/// A drop that crosses the region somewhere, unless a roof above keeps it off; it began `age` seconds ago,
-/// lest drops fall in ranks.
+// A drop that crosses the region somewhere, unless a roof above keeps it off; it began `age` seconds ago,
+// lest drops fall in ranks.
 void WaterEffects::beginDrop(double mass, double age) {
     const Eigen::Vector3d low = shower_.region.min(), high = shower_.region.max();
     const Eigen::Vector3d& velocity = shower_.velocity;
@@ -261,8 +261,8 @@ void WaterEffects::emit(const Nozzle& nozzle, double frameTime) {
         addPuff(nozzle.position + 0.3 * axis, 0.35 * nozzle.speed * axis, 0.02, 0.05);
 }
 
-/// The water that still holds together where it leaves the nozzle: threads that part from each other and end one
-/// after the other.
+// The water that still holds together where it leaves the nozzle: threads that part from each other and end one
+// after the other.
 void WaterEffects::showJet(const Nozzle& nozzle) {
     constexpr int threads = 70;
     constexpr double breakUp = 0.08, spread = 0.7;  // s; share of the cone
@@ -279,7 +279,7 @@ void WaterEffects::showJet(const Nozzle& nozzle) {
     }
 }
 
-/// Moves a drop of a spray on. @return whether it has met something, or is out of sight
+// Moves a drop of a spray on. @return whether it has met something, or is out of sight
 bool WaterEffects::sprayEnds(Bead& drop, double time) {
     const Eigen::Vector3d from = drop.position;
     drop.position += time * drop.velocity + 0.5 * time * time * gravityVector;
@@ -302,7 +302,7 @@ void WaterEffects::flySplashes(double frameTime) {
     });
 }
 
-/// Puffs slow down to the wind, spread, and thin out.
+// Puffs slow down to the wind, spread, and thin out.
 void WaterEffects::drift(double frameTime, const Air& air) {
     constexpr double slowing = 4;  // 1/s
     removeWhere(puffs_, [&](Puff& puff) {
@@ -313,7 +313,7 @@ void WaterEffects::drift(double frameTime, const Air& air) {
     });
 }
 
-/// One to four small drops that are gone when they are back at the height where they began.
+// One to four small drops that are gone when they are back at the height where they began.
 void WaterEffects::splash(const Eigen::Vector3d& position, double vigour) {
     const int count = 1 + int(random(0, 4));
     for (int i = 0; i < count && splashes_.size() < limits_.drops; ++i) {

@@ -17,48 +17,48 @@
 
 namespace drench::demo {
 
-/// How much there may be of everything at one time, and the seed of what is random.
+// How much there may be of everything at one time, and the seed of what is random.
 struct WaterEffectsLimits {
     unsigned seed = 1;
-    std::size_t streaks = 3000;  ///< drops of rain on their way
-    std::size_t drops = 1200;    ///< in flight, of splashes and of sprays, each
-    std::size_t puffs = 160;     ///< of mist
-    std::size_t spots = 2000;    ///< that are wet, at least 1
+    std::size_t streaks = 3000;  // drops of rain on their way
+    std::size_t drops = 1200;    // in flight, of splashes and of sprays, each
+    std::size_t puffs = 160;     // of mist
+    std::size_t spots = 2000;    // that are wet, at least 1
 };
 
-/// What water does besides wetting sheets: it falls, splashes, drifts as mist, and wets rigid bodies, where it dries
-/// again. Only for the eye: it reads the world and changes nothing in it. The same calls show the same picture.
+// What water does besides wetting sheets: it falls, splashes, drifts as mist, and wets rigid bodies, where it dries
+// again. Only for the eye: it reads the world and changes nothing in it. The same calls show the same picture.
 class WaterEffects {
   public:
-    /// @param world  must outlive this; its rigid bodies stop water and get wet, its soft bodies only stop it
-    /// @throws std::invalid_argument for no room for any wet spot
+    // @param world  must outlive this; its rigid bodies stop water and get wet, its soft bodies only stop it
+    // @throws std::invalid_argument for no room for any wet spot
     explicit WaterEffects(const btCollisionWorld& world, const WaterEffectsLimits& limits = {});
 
-    /// Lets it rain through a region from now on, as dense as rain of that intensity is (Marshall & Palmer
-    /// 1948), as far as the limits allow; what is on its way falls on.
-    /// @param intensity  mm/h, at least 0; 0 ends it
-    /// @param velocity   of the drops, m/s, downwards
-    /// @param region     from where drops begin to be seen down to where none falls on
-    /// @throws std::invalid_argument for what is out of range, not finite or upwards, and an empty region
+    // Lets it rain through a region from now on, as dense as rain of that intensity is (Marshall & Palmer
+    // 1948), as far as the limits allow; what is on its way falls on.
+    // @param intensity  mm/h, at least 0; 0 ends it
+    // @param velocity   of the drops, m/s, downwards
+    // @param region     from where drops begin to be seen down to where none falls on
+    // @throws std::invalid_argument for what is out of range, not finite or upwards, and an empty region
     void rain(double intensity, const Eigen::Vector3d& velocity, const Eigen::AlignedBox3d& region);
-    /// Sprays during the next step; call it for each nozzle before each step.
-    /// @throws std::invalid_argument for what is out of range or not finite
+    // Sprays during the next step; call it for each nozzle before each step.
+    // @throws std::invalid_argument for what is out of range or not finite
     void spray(const Nozzle& nozzle);
-    /// Shows drops as they are now, and what landed in their last step; call it after each of their steps.
+    // Shows drops as they are now, and what landed in their last step; call it after each of their steps.
     void follow(const FallingDrops& drops);
-    /// Says where water stands: drops splash on its surface and are not seen below. Replaces what was said
-    /// before.
+    // Says where water stands: drops splash on its surface and are not seen below. Replaces what was said
+    // before.
     void setPools(std::vector<Eigen::AlignedBox3d> pools) { pools_ = std::move(pools); }
 
-    /// Moves everything by one frame; call it after the world's step.
-    /// @param frameTime   s, at least 0
-    /// @param air         dries the wet spots, and carries the mist
-    /// @param waterSpeed  how much faster than the clock they dry
-    /// @throws std::invalid_argument for a frame time or speed that is negative or not finite, and for such air
-    /// as `validate` refuses
+    // Moves everything by one frame; call it after the world's step.
+    // @param frameTime   s, at least 0
+    // @param air         dries the wet spots, and carries the mist
+    // @param waterSpeed  how much faster than the clock they dry
+    // @throws std::invalid_argument for a frame time or speed that is negative or not finite, and for such air
+    // as `validate` refuses
     void step(double frameTime, const Air& air, double waterSpeed = 1);
 
-    /// Adds all that there is to see.
+    // Adds all that there is to see.
     void show(viewer::Picture& picture) const;
 
     const WetSpots& spots() const { return spots_; }
@@ -70,7 +70,7 @@ class WaterEffects {
         Eigen::AlignedBox3d region;
         double owed = 0;  // drops to begin, a part of one
     };
-    /// A drop of rain, and where on a body its way ends.
+    // A drop of rain, and where on a body its way ends.
     struct RainDrop {
         Eigen::Vector3d position;
         Eigen::Vector3d velocity;
@@ -78,7 +78,7 @@ class WaterEffects {
         const btCollisionObject* body;  // that it ends on, or none
         double mass;                    // kg, that it stands for
     };
-    /// A drop that flies freely.
+    // A drop that flies freely.
     struct Bead {
         Eigen::Vector3d position;
         Eigen::Vector3d velocity;
@@ -94,7 +94,7 @@ class WaterEffects {
         double radius;   // m, at first
         double density;  // at first
     };
-    /// Where a way through the air ends.
+    // Where a way through the air ends.
     struct Hit {
         Eigen::Vector3d position;
         const btCollisionObject* body;  // none for a sheet or a pool

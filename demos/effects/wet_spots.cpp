@@ -34,9 +34,9 @@ WetSpots::WetSpots(std::size_t max) : max_(max) {
     if (max < 1) refuse("there is room for ", max, " wet spots; give at least 1");
 }
 
-/// The place on a body whose middle is nearest, if that is within so many of its radii or within `reach`, m.
+// The place on a body whose middle is nearest, if that is within so many of its radii or within `reach`, m.
 WetSpots::Spot* WetSpots::nearest(const btCollisionObject& body, const Eigen::Vector3d& inBody,
-                                     double perRadius, double reach) {
+                                  double perRadius, double reach) {
     Spot* found = nullptr;
     double min = std::numeric_limits<double>::infinity();
     for (Spot& spot : spots_) {
@@ -50,7 +50,8 @@ WetSpots::Spot* WetSpots::nearest(const btCollisionObject& body, const Eigen::Ve
     return found;
 }
 
-void WetSpots::wet(const btCollisionObject& body, const Eigen::Vector3d& position, double mass, float outline) {
+void WetSpots::wet(const btCollisionObject& body, const Eigen::Vector3d& position, double mass,
+                   float outline) {
     if (!(mass > 0)) return;
     const Eigen::Vector3d inBody = toEigen(body.getWorldTransform().invXform(toBullet(position)));
     // The less room there is for other places, the farther water goes to join one.
@@ -64,9 +65,9 @@ void WetSpots::wet(const btCollisionObject& body, const Eigen::Vector3d& positio
         return;
     }
     if (spots_.size() >= max_) {
-        const auto driest = std::min_element(
-            spots_.begin(), spots_.end(),
-            [](const Spot& a, const Spot& b) { return a.mass * b.area < b.mass * a.area; });
+        const auto driest = std::min_element(spots_.begin(), spots_.end(), [](const Spot& a, const Spot& b) {
+            return a.mass * b.area < b.mass * a.area;
+        });
         spots_.erase(driest);
     }
     const double area = areaFor(mass);
@@ -85,8 +86,8 @@ void WetSpots::keepOnlyIn(const btCollisionWorld& world) {
     std::set<const btCollisionObject*> there;
     for (int i = 0; i < objects.size(); ++i) there.insert(objects[i]);
     spots_.erase(std::remove_if(spots_.begin(), spots_.end(),
-                                 [&](const Spot& spot) { return there.count(spot.body) == 0; }),
-                  spots_.end());
+                                [&](const Spot& spot) { return there.count(spot.body) == 0; }),
+                 spots_.end());
 }
 
 double WetSpots::mass() const {

@@ -8,20 +8,20 @@
 
 namespace drench::demo {
 
-/// Holds the nodes around a point of a sheet and takes them along with the pointer, in the plane through that
-/// point that faces the camera. Held nodes are pins meanwhile, so that it is alike with any solver. The hand
-/// follows at 6 m/s at most, stops at solids, and gives way when the links around it are strained by a
-/// fifth, so it cannot tear cloth off its pegs or blow it up, wherever the mouse jumps.
+// Holds the nodes around a point of a sheet and takes them along with the pointer, in the plane through that
+// point that faces the camera. Held nodes are pins meanwhile, so that it is alike with any solver. The hand
+// follows at 6 m/s at most, stops at solids, and gives way when the links around it are strained by a
+// fifth, so it cannot tear cloth off its pegs or blow it up, wherever the mouse jumps.
 class Grasp {
   public:
-    /// Takes hold. Nodes that are pinned already stay where they are.
+    // Takes hold. Nodes that are pinned already stay where they are.
     Grasp(const ClothHit& hit, const Pointer& pointer);
 
-    /// Whether the sheet is still one of these; if not, the hold is lost, and there is nothing to let go.
+    // Whether the sheet is still one of these; if not, the hold is lost, and there is nothing to let go.
     bool holdsOneOf(const std::vector<Graspable>& sheets) const;
-    /// Sets the velocity of what is held for the frame that comes, s.
+    // Sets the velocity of what is held for the frame that comes, s.
     void follow(const Pointer& pointer, double frameTime);
-    /// Lets go; what was held keeps its velocity, up to 3 m/s.
+    // Lets go; what was held keeps its velocity, up to 3 m/s.
     void release();
 
   private:
@@ -30,7 +30,7 @@ class Grasp {
         btVector3 offset;  // from the middle of the hold, m
         btScalar inverseMass;
     };
-    /// How the links that leave the hold pull at it.
+    // How the links that leave the hold pull at it.
     struct Pull {
         btVector3 following = btVector3(0, 0, 0);  // mean velocity of their far ends, m/s
         double strain = 0;                         // of the most strained one

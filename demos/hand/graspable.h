@@ -12,31 +12,31 @@
 
 namespace drench::demo {
 
-/// A sheet that is there during this frame.
+// A sheet that is there during this frame.
 struct Graspable {
     SceneWorld* world;
     btSoftBody* body;
     WetCloth* cloth;
 };
 
-/// All sheets of a scene.
+// All sheets of a scene.
 std::vector<Graspable> graspables(Scene& scene);
 
-/// Where a ray meets cloth.
+// Where a ray meets cloth.
 struct ClothHit {
     Graspable sheet;
-    int face;         ///< of the body
-    btVector3 point;  ///< m
-    double distance;  ///< from the ray's origin, m
+    int face;         // of the body
+    btVector3 point;  // m
+    double distance;  // from the ray's origin, m
 };
 
-/// The first sheet that a ray meets, unless something solid is before it.
+// The first sheet that a ray meets, unless something solid is before it.
 std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const viewer::Ray& ray);
 
-/// The first solid between two points, m.
+// The first solid between two points, m.
 struct SolidHit {
-    double fraction;   ///< of the way, 0 to 1
-    btVector3 normal;  ///< of its surface, unit length
+    double fraction;   // of the way, 0 to 1
+    btVector3 normal;  // of its surface, unit length
 };
 std::optional<SolidHit> firstSolid(SceneWorld& world, const btVector3& from, const btVector3& to);
 

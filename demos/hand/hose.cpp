@@ -4,7 +4,7 @@
 
 namespace drench::demo {
 
-/// What one sheet is to get.
+// What one sheet is to get.
 struct Hose::Stream {
     explicit Stream(WetCloth& itsCloth)
         : cloth(&itsCloth),
@@ -17,7 +17,7 @@ struct Hose::Stream {
     double due = 0;  // s for which it has yet to spray
 };
 
-/// Meets the sheet as it is at the start of a step, which none but a source does.
+// Meets the sheet as it is at the start of a step, which none but a source does.
 class Hose::StreamSource final : public Source {
   public:
     explicit StreamSource(std::shared_ptr<Stream> stream) : stream_(std::move(stream)) {}

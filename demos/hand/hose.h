@@ -11,10 +11,10 @@
 
 namespace drench::demo {
 
-/// Sprays water at sheets, in the sheets' own time however fast their water runs, in an account named "hose".
+// Sprays water at sheets, in the sheets' own time however fast their water runs, in an account named "hose".
 class Hose {
   public:
-    /// Sprays at all of these sheets in the next frame of so many seconds.
+    // Sprays at all of these sheets in the next frame of so many seconds.
     void spray(const std::vector<Graspable>& sheets, const Nozzle& nozzle, double frameTime);
 
   private:

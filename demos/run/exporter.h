@@ -14,32 +14,32 @@
 
 namespace drench::demo {
 
-/// Keeps frames of a run. Should one not fit or a file not be written, it says so on stderr and takes no more, and the
-/// run goes on.
+// Keeps frames of a run. Should one not fit or a file not be written, it says so on stderr and takes no more, and the
+// run goes on.
 class FrameKeeper {
   public:
     virtual ~FrameKeeper() = default;
     FrameKeeper(const FrameKeeper&) = delete;
     FrameKeeper& operator=(const FrameKeeper&) = delete;
 
-    /// Takes in a simulated frame.
+    // Takes in a simulated frame.
     void add(Scene& scene);
-    /// Writes what is not yet written. @return whether all is there
+    // Writes what is not yet written. @return whether all is there
     bool finish();
 
   protected:
-    /// @param every  of the simulated frames, 1/60 s each, are kept
+    // @param every  of the simulated frames, 1/60 s each, are kept
     explicit FrameKeeper(int every) : every_(every) {}
 
     int every() const { return every_; }
-    int frames() const { return frames_; }   ///< taken in so far
-    bool isWhole() const { return whole_; }  ///< so far
+    int frames() const { return frames_; }   // taken in so far
+    bool isWhole() const { return whole_; }  // so far
 
   private:
-    /// Whether this frame is one of those to keep.
+    // Whether this frame is one of those to keep.
     virtual bool isDue() const { return frames_ % every_ == 0; }
     virtual void keep(Scene& scene) = 0;
-    /// Writes what is there, after the last frame.
+    // Writes what is there, after the last frame.
     virtual void complete() = 0;
     template <typename Work>
     void attempt(Work work);
@@ -49,17 +49,17 @@ class FrameKeeper {
     bool whole_ = true;
 };
 
-/// The kinds of file there are, by their endings: ".glb", ".obj" and ".csv".
+// The kinds of file there are, by their endings: ".glb", ".obj" and ".csv".
 const std::vector<std::string>& exportEndings();
 
-/// All sheets of a scene as they are now. Sheets of a name get a number each.
-/// @throws std::invalid_argument for one that is not finite
+// All sheets of a scene as they are now. Sheets of a name get a number each.
+// @throws std::invalid_argument for one that is not finite
 std::vector<ClothFrame> framesOf(Scene& scene);
 
-/// Keeps the sheets.
+// Keeps the sheets.
 class Exporter final : public FrameKeeper {
   public:
-    /// @param file  its ending says what becomes of the run
+    // @param file  its ending says what becomes of the run
     Exporter(std::filesystem::path file, int every) : FrameKeeper(every), file_(std::move(file)) {}
 
   private:
@@ -70,14 +70,14 @@ class Exporter final : public FrameKeeper {
     Animation animation_;
 };
 
-/// Draws frames off screen and records them; shows so many of them that the film runs in time.
+// Draws frames off screen and records them; shows so many of them that the film runs in time.
 class Film final : public FrameKeeper {
   public:
-    /// @throws std::runtime_error as Recorder
+    // @throws std::runtime_error as Recorder
     Film(const std::filesystem::path& file, int every, View view);
 
   private:
-    /// From the first one on.
+    // From the first one on.
     bool isDue() const override { return (frames() - 1) % every() == 0; }
     void keep(Scene& scene) override;
     void complete() override;

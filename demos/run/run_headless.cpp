@@ -31,13 +31,13 @@ namespace {
 
 constexpr int sideWidth = 480, sideHeight = 600;  // of pictures side by side
 
-/// Draws and keeps the pictures of a run. One that cannot be written is missed and said on stderr; the run goes on.
+// Draws and keeps the pictures of a run. One that cannot be written is missed and said on stderr; the run goes on.
 class Album {
   public:
     explicit Album(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// Draws a picture and writes it under `name`.
-    /// @return the time that drawing took, s
+    // Draws a picture and writes it under `name`.
+    // @return the time that drawing took, s
     double add(const viewer::Picture& picture, const std::string& name) {
         context_.makeCurrent();  // a film has another
         if (images_.empty())
@@ -60,7 +60,7 @@ class Album {
         write(scene.sideBySideName(), viewer::contactSheet(row, int(row.size()), gap));
     }
 
-    /// All moments side by side.
+    // All moments side by side.
     void writeContactSheet() {
         if (images_.size() < 2) return;
         const int columns = images_.size() % 3 == 0 ? 3 : 4;  // as full as it can be
@@ -68,12 +68,12 @@ class Album {
         write("contact-sheet", viewer::contactSheet(images_, columns, gap));
     }
 
-    /// Images that the scene makes itself.
+    // Images that the scene makes itself.
     void addDrawings(const Scene& scene) {
         for (const Drawing& drawing : scene.drawings()) write(drawing.name, drawing.image);
     }
 
-    bool isWhole() const { return whole_; }  ///< so far
+    bool isWhole() const { return whole_; }  // so far
 
   private:
     void write(const std::string& name, const viewer::Image& image) {
@@ -100,7 +100,7 @@ bool stderrIsTerminal() {
 #endif
 }
 
-/// One line on stderr that says how far a run is; rewritten in place on a terminal, else a line every tenth.
+// One line on stderr that says how far a run is; rewritten in place on a terminal, else a line every tenth.
 class ProgressLine {
   public:
     void show(const Scene& scene) {
@@ -120,14 +120,14 @@ class ProgressLine {
     int shown_ = -1;
 };
 
-/// out.csv becomes out-water.csv.
+// out.csv becomes out-water.csv.
 std::filesystem::path besideFor(const std::filesystem::path& csv) {
     std::filesystem::path beside = csv;
     beside.replace_filename(csv.stem().string() + "-water" + csv.extension().string());
     return beside;
 }
 
-/// Says whether the scene's check has passed. @return the exit status
+// Says whether the scene's check has passed. @return the exit status
 int judge(const Scene& scene, const RunOptions& options) {
     if (!options.sceneOptions.water) {
         std::cout << "\nnot checked: a dry run has no result of its own\n";

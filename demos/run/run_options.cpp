@@ -23,7 +23,7 @@ std::vector<std::string> sceneNames() {
     return names;
 }
 
-/// CLI11's own range check lets "nan" through.
+// CLI11's own range check lets "nan" through.
 CLI::Validator inRange(double min, double max) {
     const std::string range = textOf(min, " to ", max);
     return CLI::Validator(
@@ -35,7 +35,7 @@ CLI::Validator inRange(double min, double max) {
         "FLOAT, " + range);
 }
 
-/// An empty name is most likely a variable that is not set.
+// An empty name is most likely a variable that is not set.
 CLI::Validator namesSomething() {
     return CLI::Validator(
         [](const std::string& text) {
@@ -44,7 +44,7 @@ CLI::Validator namesSomething() {
         "NAME");
 }
 
-/// A file whose ending says what it is to be.
+// A file whose ending says what it is to be.
 CLI::Validator endsLike(const std::vector<std::string>& endings) {
     std::string all;
     for (const std::string& ending : endings) all += (all.empty() ? "" : " or ") + ending;
@@ -57,14 +57,14 @@ CLI::Validator endsLike(const std::vector<std::string>& endings) {
         all);
 }
 
-/// "cotton, polyester, ", and so on.
+// "cotton, polyester, ", and so on.
 std::string fabricNames() {
     std::string names;
     for (const std::string& name : fabrics::names()) names += name + ", ";
     return names;
 }
 
-/// A ready fabric, or a fabric file that can be read.
+// A ready fabric, or a fabric file that can be read.
 CLI::Validator namesFabric() {
     return CLI::Validator(
         [](const std::string& text) -> std::string {
@@ -84,7 +84,7 @@ View viewOf(const std::string& name) {
     return name == "strain" ? View::strain : View::beauty;
 }
 
-/// What the names of --solver and --world mean together; where there are none, the options stay as they are.
+// What the names of --solver and --world mean together; where there are none, the options stay as they are.
 void choose(SceneOptions& options, const std::string& solver, const std::string& world) {
     if (!world.empty()) options.world = world == "deformable" ? WorldKind::deformable : WorldKind::softRigid;
     if (!solver.empty()) options.solver = solver == "stock" ? SolverKind::stock : SolverKind::smallStep;
@@ -94,13 +94,13 @@ void choose(SceneOptions& options, const std::string& solver, const std::string&
                                    "out, or take --world soft-rigid");
 }
 
-/// The options that a scene has a choice of its own for.
+// The options that a scene has a choice of its own for.
 struct OwnChoices {
     const CLI::Option* fabric;
     const CLI::Option* seed;
 };
 
-/// Fills in what the scene has of its own, where nothing else was asked for.
+// Fills in what the scene has of its own, where nothing else was asked for.
 void takeFromScene(RunOptions& run, const std::string& file, const OwnChoices& own) {
     SceneOptions& options = run.sceneOptions;
     if (file.empty()) {
@@ -115,14 +115,14 @@ void takeFromScene(RunOptions& run, const std::string& file, const OwnChoices& o
     if (own.seed->empty()) options.seed = run.described->seed;
 }
 
-/// What the command line says in words of its own, from which options follow.
+// What the command line says in words of its own, from which options follow.
 struct Words {
     std::string file, solver, world;
     std::string view = "beauty";
     bool list = false, dry = false;
 };
 
-/// Which scene, and what it is like.
+// Which scene, and what it is like.
 OwnChoices addSceneOptions(CLI::App& app, RunOptions& run, Words& words) {
     CLI::Option* const scene = app.add_option("SCENE", run.scene, "which scene to run; --list names them")
                                    ->check(CLI::IsMember(sceneNames()));
@@ -154,7 +154,7 @@ OwnChoices addSceneOptions(CLI::App& app, RunOptions& run, Words& words) {
     return {fabric, seed};
 }
 
-/// What is written, and what pictures show.
+// What is written, and what pictures show.
 void addOutputOptions(CLI::App& app, RunOptions& run, Words& words) {
     app.add_option("--save-scene", run.saved, "write the scene as it is at the end to this scene file")
         ->check(namesSomething());

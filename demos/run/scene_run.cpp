@@ -23,7 +23,7 @@ SheetReading readingOf(const SceneSheet& sheet) {
             cloth.ledger()};
 }
 
-/// Between two totals; sheets that have come since begin at nothing.
+// Between two totals; sheets that have come since begin at nothing.
 FrameTimes difference(const FrameTimes& from, const FrameTimes& to) {
     if (to.water < from.water) return to;
     return {to.supply - from.supply, to.water - from.water,       to.laws - from.laws,

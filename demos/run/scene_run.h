@@ -17,39 +17,39 @@
 
 namespace drench::demo {
 
-/// A scene to be made.
+// A scene to be made.
 struct SceneRequest {
     std::string name;
-    std::function<std::unique_ptr<Scene>()> make;  ///< none: no request
+    std::function<std::unique_ptr<Scene>()> make;  // none: no request
     std::function<std::unique_ptr<Scene>()>
-        makeTwin;  ///< the same without water, to run beside it; none: alone
+        makeTwin;  // the same without water, to run beside it; none: alone
 };
 
-/// A scene, its water log, and the user's hand in it. While nothing is done to it, its numbers are those of
-/// the same scene without a window.
+// A scene, its water log, and the user's hand in it. While nothing is done to it, its numbers are those of
+// the same scene without a window.
 class SceneRun {
   public:
-    /// @param number  of this run, for its frame states
-    /// @throws what making the scene throws
+    // @param number  of this run, for its frame states
+    // @throws what making the scene throws
     SceneRun(const SceneRequest& request, const RunOptions& options, int number);
 
-    /// The scene, and its dry twin if it has one.
+    // The scene, and its dry twin if it has one.
     std::vector<Scene*> scenes();
-    /// How pictures show the sheets from now on.
+    // How pictures show the sheets from now on.
     void setView(View view) { view_ = view; }
-    /// Writes the scene as it is now into a scene file.
-    /// @throws std::runtime_error for a scene that a scene file cannot hold, or a file that cannot be written
+    // Writes the scene as it is now into a scene file.
+    // @throws std::runtime_error for a scene that a scene file cannot hold, or a file that cannot be written
     void save(const std::filesystem::path& file);
 
-    /// Simulates a frame. At the scene's end it writes the report and the files that the options ask for; the
-    /// scene may play on after that.
+    // Simulates a frame. At the scene's end it writes the report and the files that the options ask for; the
+    // scene may play on after that.
     void advance(const Pointer& pointer);
-    /// Whether the scene has come to its end.
+    // Whether the scene has come to its end.
     bool ended() const { return ended_; }
-    /// Name of the picture that the options want of this frame, without folder and ending; none if they want
-    /// none.
+    // Name of the picture that the options want of this frame, without folder and ending; none if they want
+    // none.
     std::optional<std::string> pictureName() const;
-    /// All there is to see and to read now.
+    // All there is to see and to read now.
     FrameState frameState() const;
 
   private:

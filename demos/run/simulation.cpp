@@ -9,7 +9,7 @@ namespace drench::demo {
 
 namespace {
 
-/// With so many frames waiting to be drawn the simulation waits too.
+// With so many frames waiting to be drawn the simulation waits too.
 constexpr std::size_t maxKeepsakes = 3;
 
 }  // namespace
@@ -124,7 +124,7 @@ void Simulation::work() {
     }
 }
 
-/// Returns false when it is time to end.
+// Returns false when it is time to end.
 bool Simulation::waitForWork(std::unique_lock<std::mutex>& lock) {
     for (;;) {
         if (stop_) return false;
@@ -144,7 +144,7 @@ bool Simulation::wantsFrame() const {
     return !standsStill_ && (steps_ > 0 || !paused_) && keepsakes_.size() < maxKeepsakes;
 }
 
-/// What lasts, as where the mouse is, stays behind.
+// What lasts, as where the mouse is, stays behind.
 Simulation::Orders Simulation::takeOrders() {
     Orders taken = orders_;
     orders_.request = {};
@@ -180,7 +180,7 @@ void Simulation::obey(const Command& command) {
     }
 }
 
-/// A simulation that runs as fast as it can makes more frames than anybody can see.
+// A simulation that runs as fast as it can makes more frames than anybody can see.
 void Simulation::publish(const Orders& orders) {
     constexpr auto shortest = std::chrono::milliseconds(8);
     const auto now = FrameClock::Clock::now();
@@ -198,7 +198,7 @@ void Simulation::publish(const Orders& orders) {
     });
 }
 
-/// The scene stays as it was seen last.
+// The scene stays as it was seen last.
 void Simulation::fail(const std::string& what) {
     std::cerr << "drench-demo: " << what << std::endl;
     change([&] {

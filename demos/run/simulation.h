@@ -20,70 +20,70 @@
 
 namespace drench::demo {
 
-/// A frame that somebody wants to have drawn, however slowly that goes.
+// A frame that somebody wants to have drawn, however slowly that goes.
 struct Keepsake {
     std::shared_ptr<const FrameState> state;
-    std::string name;     ///< of its picture, without folder and ending; empty: none is wanted
-    bool filmed = false;  ///< part of the film
+    std::string name;     // of its picture, without folder and ending; empty: none is wanted
+    bool filmed = false;  // part of the film
 };
 
-/// Owns a scene and steps it, no faster than 60 frames a second of wall time unless told so. What the user
-/// does is applied between two frames. Nobody who looks on makes it wait, except for pictures that have to be
-/// kept.
-///
-/// What goes wrong on the thread stops the scene, and stands in the frame state's `trouble` and on stderr; a
-/// restart begins anew. All calls are for the thread that made it, and none waits for a frame but the
-/// destructor.
+// Owns a scene and steps it, no faster than 60 frames a second of wall time unless told so. What the user
+// does is applied between two frames. Nobody who looks on makes it wait, except for pictures that have to be
+// kept.
+//
+// What goes wrong on the thread stops the scene, and stands in the frame state's `trouble` and on stderr; a
+// restart begins anew. All calls are for the thread that made it, and none waits for a frame but the
+// destructor.
 class Simulation {
   public:
     using Command = std::function<void(Scene&)>;
     using Now = std::function<FrameClock::Clock::time_point()>;
 
-    /// Starts the thread.
-    /// @param request  its scene is made on the thread
-    /// @param options  what to write; the CSV comes at the end of each run, pictures by `takeKeepsakes`
-    /// @param now  the wall time that frames keep to; called on the thread, too
+    // Starts the thread.
+    // @param request  its scene is made on the thread
+    // @param options  what to write; the CSV comes at the end of each run, pictures by `takeKeepsakes`
+    // @param now  the wall time that frames keep to; called on the thread, too
     Simulation(SceneRequest request, const RunOptions& options, Now now = FrameClock::Clock::now);
-    /// Waits for the frame under way.
+    // Waits for the frame under way.
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
-    /// Begins a new run; commands that still wait are dropped.
+    // Begins a new run; commands that still wait are dropped.
     void restart(SceneRequest request);
-    /// Does something to the scene, and to its dry twin, before the next frame; commands keep their order.
-    /// What they throw stands in the frame states' `notice`, and the scene goes on.
+    // Does something to the scene, and to its dry twin, before the next frame; commands keep their order.
+    // What they throw stands in the frame states' `notice`, and the scene goes on.
     void post(Command command);
-    /// Where the mouse is and what it does, until told otherwise.
+    // Where the mouse is and what it does, until told otherwise.
     void setPointer(const Pointer& pointer);
 
-    /// Lets it stand still, or go on.
+    // Lets it stand still, or go on.
     void setPaused(bool paused);
-    /// Whether it stands still; default: as the options say.
+    // Whether it stands still; default: as the options say.
     bool paused() const;
-    /// Simulates one frame more, also while it stands still.
+    // Simulates one frame more, also while it stands still.
     void step();
-    /// Simulated time over wall time, at most; 0: as fast as it can. Default 1.
+    // Simulated time over wall time, at most; 0: as fast as it can. Default 1.
     void setSpeed(double speed);
     double speed() const;
 
-    /// Shows the sheets in this way from now on.
+    // Shows the sheets in this way from now on.
     void setView(View view);
-    /// Writes the scene as it is after the frame under way into a scene file; the frame states' `notice` says
-    /// how that went.
+    // Writes the scene as it is after the frame under way into a scene file; the frame states' `notice` says
+    // how that went.
     void save(const std::filesystem::path& file);
-    /// How long the window has taken to draw a picture, s, for scenes that report it.
+    // How long the window has taken to draw a picture, s, for scenes that report it.
     void noteDrawTime(double seconds);
 
-    /// The newest frame state; none before the first scene is made.
+    // The newest frame state; none before the first scene is made.
     std::shared_ptr<const FrameState> latest() const;
-    /// Whether each frame from now on is kept for a film; the simulation then waits for whoever takes them.
+    // Whether each frame from now on is kept for a film; the simulation then waits for whoever takes them.
     void setFilmed(bool filmed);
-    /// Hands over the frames to be drawn since the last call, oldest first.
+    // Hands over the frames to be drawn since the last call, oldest first.
     std::vector<Keepsake> takeKeepsakes();
 
   private:
-    /// What the thread is to do next.
+    // What the thread is to do next.
     struct Orders {
         SceneRequest request;
         std::deque<Command> commands;

@@ -19,8 +19,8 @@ namespace drench::demo {
 
 namespace {
 
-/// Two sheets of the same cloth, 0.3 m square, lie on smooth balls of 0.3 m radius that turn about level axles: the
-/// left sheet is dry, the right one saturated.
+// Two sheets of the same cloth, 0.3 m square, lie on smooth balls of 0.3 m radius that turn about level axles: the
+// left sheet is dry, the right one saturated.
 class Cling final : public StagedScene {
     static constexpr double startsAt = 1;    // s, when the balls begin to turn
     static constexpr double turnRate = 0.6;  // rad/s
@@ -58,7 +58,7 @@ class Cling final : public StagedScene {
     }
 
   private:
-    /// One ball and the sheet on it.
+    // One ball and the sheet on it.
     class Side {
       public:
         Side(SceneCloth& cloth, btRigidBody& ball, double radius)
@@ -70,7 +70,7 @@ class Cling final : public StagedScene {
 
         const SceneCloth& cloth() const { return cloth_; }
 
-        /// Keeps the ball where it is, whatever lies on it.
+        // Keeps the ball where it is, whatever lies on it.
         void turn(double rate) {
             ball_.setLinearVelocity({0, 0, 0});
             ball_.setAngularVelocity({btScalar(rate), 0, 0});
@@ -83,7 +83,7 @@ class Cling final : public StagedScene {
             carried_ += std::remainder(angle - carried_, 2 * pi);
         }
 
-        /// How far the ball has taken the middle of the sheet while it was on it, degrees.
+        // How far the ball has taken the middle of the sheet while it was on it, degrees.
         double carried() const { return degrees(carried_); }
         double contactFraction() const {
             const btVector3 centre = ball_.getWorldTransform().getOrigin();
@@ -97,7 +97,7 @@ class Cling final : public StagedScene {
         double meanHeight() const { return double(cloth_.centre().y()); }
 
       private:
-        /// Wrapped round the ball from its top, so that the middle lines keep their lengths.
+        // Wrapped round the ball from its top, so that the middle lines keep their lengths.
         void layOnBall() {
             const btVector3 centre = ball_.getWorldTransform().getOrigin();
             const double radius = radius_ + double(cloth_.body().getCollisionShape()->getMargin());

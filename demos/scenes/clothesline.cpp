@@ -21,9 +21,9 @@ namespace drench::demo {
 
 namespace {
 
-/// A soaked sheet, 1.0 m x 0.8 m, is pegged to a line in air of 25 degrees and 50 % humidity. The wind turns to and
-/// fro, so that the sheet moves, but its speed stays the same. The water runs 240 times as fast as the clock: an hour
-/// takes 15 seconds. Ends when every node is in balance with the air, or after 90 seconds.
+// A soaked sheet, 1.0 m x 0.8 m, is pegged to a line in air of 25 degrees and 50 % humidity. The wind turns to and
+// fro, so that the sheet moves, but its speed stays the same. The water runs 240 times as fast as the clock: an hour
+// takes 15 seconds. Ends when every node is in balance with the air, or after 90 seconds.
 class Clothesline final : public StagedScene {
     static constexpr int gaps = 3;           // between pegs
     static constexpr double slack = 0.03;    // share by which pegs are closer together than the cloth is wide
@@ -103,7 +103,7 @@ class Clothesline final : public StagedScene {
     }
 
   private:
-    /// What there was after a frame.
+    // What there was after a frame.
     struct Sample {
         double mass;        // kg, cloth and water
         double film;        // kg
@@ -114,7 +114,7 @@ class Clothesline final : public StagedScene {
         double couldDry;    // kg, that a sheet wet all over would have lost by now
         double dryNodes;    // share of the nodes whose fibres are no longer full of water
     };
-    /// Drying while the sheet is wet all over, g/(m2 h).
+    // Drying while the sheet is wet all over, g/(m2 h).
     struct ConstantRate {
         double measured;
         double expected;
@@ -155,8 +155,8 @@ class Clothesline final : public StagedScene {
         checkDrying(list);
     }
 
-    /// Pegs hold two nodes of the upper edge each, a little closer together than it is long, so that the sheet falls into
-    /// soft folds.
+    // Pegs hold two nodes of the upper edge each, a little closer together than it is long, so that the sheet falls into
+    // soft folds.
     void hang() {
         const int nodes = cloth().nodesWarp();
         for (int peg = 0; peg <= gaps; ++peg)
@@ -172,7 +172,7 @@ class Clothesline final : public StagedScene {
             for (const int i : {peg, peg + 1}) cloth().node(i, 0).m_im = 0;
     }
 
-    /// How far a column of nodes is in front of the line, m: half a wave from peg to peg that takes up the slack.
+    // How far a column of nodes is in front of the line, m: half a wave from peg to peg that takes up the slack.
     double rippleDepth(double column) const {
         for (std::size_t gap = 0; gap + 1 < pegs_.size(); ++gap) {
             const double from = pegs_[gap] + 1, to = pegs_[gap + 1];
@@ -225,7 +225,7 @@ class Clothesline final : public StagedScene {
     }
 
     double content() const { return cloth().wet().waterMass() / cloth().wet().dryMass(); }
-    /// Of the cloth, m2.
+    // Of the cloth, m2.
     double area() const { return cloth().madeFrom().warp.norm() * cloth().madeFrom().weft.norm(); }
 
     double waterMinutes(double time) const { return time * cloth().waterSpeed() / 60; }

@@ -8,7 +8,7 @@
 
 namespace drench::demo {
 
-/// Runs a description for its duration; its report is the water of each sheet, its check that of their ledgers.
+// Runs a description for its duration; its report is the water of each sheet, its check that of their ledgers.
 class DescribedScene final : public StagedScene {
   public:
     DescribedScene(const SceneDescription& description, const SceneOptions& options)

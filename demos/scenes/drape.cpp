@@ -16,8 +16,8 @@ namespace drench::demo {
 
 namespace {
 
-/// Two sheets of the same cloth, 1.2 m square, fall from just above two balls of 0.3 m radius. The left one
-/// is dry, the right one saturated.
+// Two sheets of the same cloth, 1.2 m square, fall from just above two balls of 0.3 m radius. The left one
+// is dry, the right one saturated.
 class Drape final : public StagedScene {
     static constexpr double deepestAllowed = 1e-3;  // m
 
@@ -43,7 +43,7 @@ class Drape final : public StagedScene {
     }
 
   private:
-    /// How deep the deepest node is inside the ball, m; 0 if none is.
+    // How deep the deepest node is inside the ball, m; 0 if none is.
     double penetration(std::size_t side) const {
         double deepest = 0;
         const btSoftBody& body = cloth(side).body();
@@ -54,7 +54,7 @@ class Drape final : public StagedScene {
         return deepest;
     }
 
-    /// Mean horizontal distance of the four corners from the ball's axis, m: small when the sheet hangs close.
+    // Mean horizontal distance of the four corners from the ball's axis, m: small when the sheet hangs close.
     double spread(std::size_t side) const {
         const SceneCloth& sheet = cloth(side);
         const btVector3 centre = toBullet(balls_[side].position);

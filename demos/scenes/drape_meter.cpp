@@ -41,15 +41,15 @@ int nodesAcross(const SceneOptions& options) {
     return options.resolution > 0 ? options.resolution : 48;
 }
 
-/// With the solver's own choice links this short act as soft as m / h^2, softer than the cloth shears. With four
-/// to a node across the disc, twice as many change the drape by less than a point.
+// With the solver's own choice links this short act as soft as m / h^2, softer than the cloth shears. With four
+// to a node across the disc, twice as many change the drape by less than a point.
 SceneDescription described(const SceneOptions& options) {
     SceneDescription scene = fitted(sceneFile("drape-meter"), options);
     if (!options.smallSteps) scene.solver.smallSteps = std::min(999, 4 * nodesAcross(options));
     return scene;
 }
 
-/// The upright side of a cylinder.
+// The upright side of a cylinder.
 viewer::SheetMesh cylinder(const Eigen::Vector3f& foot, float radius, float height,
                            const Eigen::Vector3f& colour) {
     constexpr std::uint32_t corners = 64;
@@ -68,7 +68,7 @@ viewer::SheetMesh cylinder(const Eigen::Vector3f& foot, float radius, float heig
     return mesh;
 }
 
-/// A plate on a foot, which the cloth may hang round.
+// A plate on a foot, which the cloth may hang round.
 void showPedestal(viewer::Picture& picture, float x) {
     constexpr float thickness = 0.004f, clear = 0.001f;
     constexpr auto top = float(pedestalHeight), radius = float(pedestalRadius) - clear;
@@ -78,7 +78,7 @@ void showPedestal(viewer::Picture& picture, float x) {
     picture.rods.push_back({{x, 0, 0}, {x, top - thickness - foot, 0}, foot, metal, viewer::Material::metal});
 }
 
-/// Root mean square of the nodes' speeds, m/s.
+// Root mean square of the nodes' speeds, m/s.
 double speed(const SceneCloth& disc) {
     double sum = 0;
     for (int n = 0; n < disc.body().m_nodes.size(); ++n) sum += double(disc.body().m_nodes[n].m_v.length2());
@@ -220,7 +220,7 @@ void DrapeMeter::check(std::vector<std::string>& list) const {
     if (isTropical_) checkTropical(list);
 }
 
-/// Measured on real cloth by Matsudaira et al. 2015, whose bending the fabric has.
+// Measured on real cloth by Matsudaira et al. 2015, whose bending the fabric has.
 void DrapeMeter::checkTropical(std::vector<std::string>& list) const {
     constexpr double measured = 50.7, tolerance = 6;
     constexpr int nodes = 5, nodeTolerance = 1;

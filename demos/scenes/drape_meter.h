@@ -9,10 +9,10 @@
 
 namespace drench::demo {
 
-/// Two discs of cloth, 30 cm across, lie clamped on pedestals of 18 cm, let go of their rims and come to rest: the
-/// left one dry, the right one saturated. Measured is what they then cover, seen from above: the drape
-/// coefficient, the share of the ring between pedestal and rim that is still covered, and the nodes, as the folds
-/// of a draped cloth are called.
+// Two discs of cloth, 30 cm across, lie clamped on pedestals of 18 cm, let go of their rims and come to rest: the
+// left one dry, the right one saturated. Measured is what they then cover, seen from above: the drape
+// coefficient, the share of the ring between pedestal and rim that is still covered, and the nodes, as the folds
+// of a draped cloth are called.
 class DrapeMeter final : public StagedScene {
   public:
     explicit DrapeMeter(const SceneOptions& options);
@@ -24,7 +24,7 @@ class DrapeMeter final : public StagedScene {
     std::optional<Table> result() const override;
     void report(std::ostream& out) const override;
 
-    /// What is measured of a disc.
+    // What is measured of a disc.
     struct Drape {
         double coefficient;  // %
         int nodes;           // folds, counted

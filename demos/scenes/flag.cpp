@@ -20,8 +20,8 @@ namespace drench::demo {
 
 namespace {
 
-/// Two flags of the same cloth, 1.2 m x 0.8 m, on poles side by side: the left one dry, the right one saturated.
-/// The wind blows from the left, steadily.
+// Two flags of the same cloth, 1.2 m x 0.8 m, on poles side by side: the left one dry, the right one saturated.
+// The wind blows from the left, steadily.
 class Flag final : public StagedScene {
     static constexpr double measuredFor = 8;  // s, the last of the run
     static constexpr double swingOut =
@@ -55,7 +55,7 @@ class Flag final : public StagedScene {
     }
 
   private:
-    /// One flag on its pole.
+    // One flag on its pole.
     class Side {
       public:
         explicit Side(SceneCloth& cloth)
@@ -79,9 +79,9 @@ class Flag final : public StagedScene {
             stretch_ = std::max(stretch_, cloth_.largestStretch());
         }
 
-        /// Of the middle of the free edge, m.
+        // Of the middle of the free edge, m.
         double acrossWind() const { return double(freeMiddle().z()); }
-        /// Of the chord from the middle of the hoist to that of the free edge: 0 hanging down, 90 in the wind.
+        // Of the chord from the middle of the hoist to that of the free edge: 0 hanging down, 90 in the wind.
         double fromHanging() const {
             const btVector3 chord = freeMiddle() - cloth_.node(0, cloth_.nodesWeft() / 2).m_x;
             return degrees(std::acos(double(-chord.y() / chord.length())));

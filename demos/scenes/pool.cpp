@@ -16,8 +16,8 @@ namespace drench::demo {
 
 namespace {
 
-/// A sheet, 0.6 m x 0.5 m, hangs from a bar by two clips. The bar lowers it into a tank until all of it is under
-/// water, waits until its pores are full, lifts it out, and lets it drip.
+// A sheet, 0.6 m x 0.5 m, hangs from a bar by two clips. The bar lowers it into a tank until all of it is under
+// water, waits until its pores are full, lifts it out, and lets it drip.
 class Dip final : public StagedScene {
     static constexpr double barLow = 0.64;  // m, of the bar
     static constexpr double lowersAt = 0.5, liftsAt = 11,
@@ -54,7 +54,7 @@ class Dip final : public StagedScene {
     }
 
   private:
-    /// From 0 to 1, gently at both ends.
+    // From 0 to 1, gently at both ends.
     static double eased(double fraction) {
         const double t = std::clamp(fraction, 0.0, 1.0);
         return t * t * (3 - 2 * t);
@@ -69,7 +69,7 @@ class Dip final : public StagedScene {
         return barHigh_ + (barLow - barHigh_) * down;
     }
 
-    /// Of the lowest point under the surface, m; below 0 while it is above.
+    // Of the lowest point under the surface, m; below 0 while it is above.
     double depth() const { return waterLevel_ - cloth().lowest(); }
 
     double meanSaturation() const { return cloth().wet().moisture().meanSaturation(); }

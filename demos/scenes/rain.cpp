@@ -17,10 +17,10 @@ namespace drench::demo {
 
 namespace {
 
-/// A sheet, 1.2 m square, hangs level between four posts, held at its corners and at the middle of two sides,
-/// and sags like an awning. A roof covers the half of it at x < 0. First it comes to rest, then rain falls
-/// for the rest of the time. The air is sealed off, so that all water in the sheltered half came out of the
-/// rain.
+// A sheet, 1.2 m square, hangs level between four posts, held at its corners and at the middle of two sides,
+// and sags like an awning. A roof covers the half of it at x < 0. First it comes to rest, then rain falls
+// for the rest of the time. The air is sealed off, so that all water in the sheltered half came out of the
+// rain.
 class HalfUnderRoof final : public StagedScene {
     static constexpr double slack = 0.985;     // distance of the posts over the sheet's side
     static constexpr double bowDepth = 0.05;   // m, of the sheet at the start
@@ -52,7 +52,7 @@ class HalfUnderRoof final : public StagedScene {
     }
 
   private:
-    /// Area on level ground of the part of a triangle that lies at x > 0, m2.
+    // Area on level ground of the part of a triangle that lies at x > 0, m2.
     static double areaInTheOpen(const std::array<btVector3, 3>& triangle) {
         std::vector<btVector3> kept;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -66,8 +66,8 @@ class HalfUnderRoof final : public StagedScene {
         return std::abs(doubled) / 2;
     }
 
-    /// Held at the middles of two sides, too. An even number of nodes, so that the edge of the roof is midway between two
-    /// rows of them.
+    // Held at the middles of two sides, too. An even number of nodes, so that the edge of the roof is midway between two
+    // rows of them.
     static SceneDescription described(const SceneOptions& options) {
         SceneDescription scene = fitted(sceneFile("rain"), options);
         SheetDescription& sheet = scene.sheets.front();
@@ -78,7 +78,7 @@ class HalfUnderRoof final : public StagedScene {
         return scene;
     }
 
-    /// Cut flat, then hung slack between posts that stand a little closer than the sheet is wide.
+    // Cut flat, then hung slack between posts that stand a little closer than the sheet is wide.
     void hang() {
         const double side = cloth().madeFrom().warp.norm();
         for (int j = 0; j < cloth().nodesWeft(); ++j)
@@ -92,7 +92,7 @@ class HalfUnderRoof final : public StagedScene {
             }
     }
 
-    /// Of the part of the sheet beside the roof, as the rain sees it, m2.
+    // Of the part of the sheet beside the roof, as the rain sees it, m2.
     double openGround() const {
         double area = 0;
         const btSoftBody& body = cloth().body();
@@ -105,7 +105,7 @@ class HalfUnderRoof final : public StagedScene {
 
     double rainTime() const { return std::max(0.0, time() - settlingTime); }
 
-    /// Of the columns of nodes from one share of the sheet's width to another.
+    // Of the columns of nodes from one share of the sheet's width to another.
     double saturationBetween(double from, double to) const {
         const Moisture& moisture = cloth().wet().moisture();
         const int nodes = cloth().nodesWarp();
@@ -119,7 +119,7 @@ class HalfUnderRoof final : public StagedScene {
         return held / capacity;
     }
 
-    /// Share of all water that is under the roof, clear of its edge.
+    // Share of all water that is under the roof, clear of its edge.
     double fractionDeepInShelter() const {
         const Moisture& moisture = cloth().wet().moisture();
         double deep = 0;

@@ -7,7 +7,7 @@
 
 namespace drench::demo {
 
-/// The scene file of that name in demos/scenes. @throws std::out_of_range for a name that is not there
+// The scene file of that name in demos/scenes. @throws std::out_of_range for a name that is not there
 SceneDescription sceneFile(const std::string& name);
 
 }  // namespace drench::demo

@@ -16,8 +16,8 @@ namespace drench::demo {
 
 namespace {
 
-/// Three sheets of the same cloth, 0.5 m square, lie on smooth slopes of 20 degrees side by side: from the left dry,
-/// damp (pores 60 % full), and soaked, with so much water on the faces that it lubricates.
+// Three sheets of the same cloth, 0.5 m square, lie on smooth slopes of 20 degrees side by side: from the left dry,
+// damp (pores 60 % full), and soaked, with so much water on the faces that it lubricates.
 class Slide final : public StagedScene {
     static constexpr double lanesApart = 0.85;  // m
     static constexpr double lowEnd = 0.12;      // m, height of the lower end of the slopes
@@ -56,7 +56,7 @@ class Slide final : public StagedScene {
 
     static btVector3 upwards() { return {0, btScalar(std::cos(tilt)), btScalar(std::sin(tilt))}; }
 
-    /// A slope falls towards +z; the sheet lies on top of it.
+    // A slope falls towards +z; the sheet lies on top of it.
     static void layOut(SolidDescription& slope, SheetDescription& sheet, double x) {
         const double halfLength = slope.halfExtents.z(), side = sheet.warp.norm();
         const btVector3 middle =
@@ -69,7 +69,7 @@ class Slide final : public StagedScene {
         sheet.weft = toEigen(downwards() * btScalar(side));
     }
 
-    /// Slopes stand on two posts each at their upper ends.
+    // Slopes stand on two posts each at their upper ends.
     static void addPosts(SceneDescription& scene, const SolidDescription& slope) {
         for (const double across : {-1.0, 1.0}) {
             const Eigen::Vector3d top =
@@ -96,12 +96,12 @@ class Slide final : public StagedScene {
         return scene;
     }
 
-    /// Of the middle of a sheet, down the slope, m.
+    // Of the middle of a sheet, down the slope, m.
     double slid(std::size_t lane) const {
         return double(cloth(lane).centre().dot(downwards())) - starts_[lane];
     }
 
-    /// The way down a slope without air, m.
+    // The way down a slope without air, m.
     double dryTheory(double time) const {
         const double friction = cloth().fabric().plateFrictionDry;
         return gravity / 2 * (std::sin(tilt) - friction * std::cos(tilt)) * time * time;

@@ -18,9 +18,9 @@ namespace drench::demo {
 
 namespace {
 
-/// A cloth, 1.1 m square, lies on a table and hangs over its edges. A jug pours water on its middle; the
-/// stain spreads in the cloth by wicking, twenty times as fast as in life. The air is sealed off, so that the
-/// stain neither dries nor grows by vapour.
+// A cloth, 1.1 m square, lies on a table and hangs over its edges. A jug pours water on its middle; the
+// stain spreads in the cloth by wicking, twenty times as fast as in life. The air is sealed off, so that the
+// stain neither dries nor grows by vapour.
 class Spill final : public StagedScene {
     static constexpr double settlingTime = 1.5;  // s, dry
     static constexpr double pouringTime = 3;     // s
@@ -57,12 +57,12 @@ class Spill final : public StagedScene {
     }
 
   private:
-    /// The source "jug" of a scene.
+    // The source "jug" of a scene.
     static const SprayDescription& jugOf(const SceneDescription& scene) {
         return std::get<SprayDescription>(scene.sources.front().water);
     }
 
-    /// The part of the cloth that is visibly wet.
+    // The part of the cloth that is visibly wet.
     struct Stain {
         double area = 0;            // m2
         double extentWarp = 0;      // m, root mean square distance from its middle along the warp, doubled
@@ -145,8 +145,8 @@ class Spill final : public StagedScene {
         expect(round > 0.85 && round < 1.18, "the stain is not as round as the fabric wicks", round);
     }
 
-    /// Pours until the cloth has got what was in the jug: nodes fill the round stream only roughly, so that a little of it
-    /// misses the cloth. The last frame pours no more than is left.
+    // Pours until the cloth has got what was in the jug: nodes fill the round stream only roughly, so that a little of it
+    // misses the cloth. The last frame pours no more than is left.
     double pourNow() {
         const double left = pouredMass - poured();
         if (time() < settlingTime - frameTime / 2 || emptyAt_ > 0) return 0;
@@ -184,8 +184,8 @@ class Spill final : public StagedScene {
     }
 
     double poured() const { return broughtBy("spray", cloth().wet()); }  // kg
-    /// How far the deepest node would have to move, up or aside, to be out of the space of the table and below
-    /// it, m; 0 if none is there. Cloth that hangs from an edge may swing under it a little.
+    // How far the deepest node would have to move, up or aside, to be out of the space of the table and below
+    // it, m; 0 if none is there. Cloth that hangs from an edge may swing under it a little.
     double deepestInTable() const {
         double deepest = 0;
         const double top = table_.position.y() + table_.halfExtents.y();
@@ -199,7 +199,7 @@ class Spill final : public StagedScene {
     }
 
     double waterTime(double seconds) const { return seconds * cloth().waterSpeed(); }
-    /// A round jug with a neck and a handle, tilted so far that its mouth is at the spout.
+    // A round jug with a neck and a handle, tilted so far that its mouth is at the spout.
     void showJug(viewer::Picture& picture) const {
         const Eigen::Vector3f china(0.75f, 0.74f, 0.70f), spout = spout_.cast<float>();
         const Eigen::Vector3f axis(0.86f, 0.51f, 0), upwards(-0.51f, 0.86f, 0);
@@ -218,8 +218,8 @@ class Spill final : public StagedScene {
         for (std::size_t i = 1; i < handle.size(); ++i) piece(handle[i - 1], handle[i], 0.007f);
     }
 
-    /// Two drops that are drawn out while the picture is exposed, from the lip on: one over all the way, which ends in the
-    /// cloth, and one that makes the stream thicker where it is still slow. Small ones leap up where it ends.
+    // Two drops that are drawn out while the picture is exposed, from the lip on: one over all the way, which ends in the
+    // cloth, and one that makes the stream thicker where it is still slow. Small ones leap up where it ends.
     void showStream(viewer::Picture& picture) const {
         constexpr int leaping = 14;
         constexpr float gravity = 9.81f, perLength = 120;  // m/s2, 1/s

@@ -24,8 +24,8 @@ namespace drench::demo {
 
 namespace {
 
-/// A square metre of cloth, 64 x 64 nodes, hangs by its two upper corners: with stock Bullet and 10 iterations,
-/// with Drench dry, and with Drench saturated. All have one substep of 1/60 s a frame.
+// A square metre of cloth, 64 x 64 nodes, hangs by its two upper corners: with stock Bullet and 10 iterations,
+// with Drench dry, and with Drench saturated. All have one substep of 1/60 s a frame.
 class StockAndDrench final : public Scene {
     static constexpr double apart = 1.5;   // m, from sheet to sheet
     static constexpr double slack = 0.94;  // distance of the corners over the sheet's side
@@ -120,12 +120,12 @@ class StockAndDrench final : public Scene {
         return text.str();
     }
 
-    /// One sheet on a stage of its own.
+    // One sheet on a stage of its own.
     class Specimen {
       public:
         enum class Kind { stock, dry, wet };
 
-        /// @param scene  with the one sheet
+        // @param scene  with the one sheet
         Specimen(Kind kind, SceneDescription scene, double x)
             : kind_(kind), sheet_(scene.sheets.front()), x_(x) {
             sheet_.name = kind == Kind::dry ? "dry" : kind == Kind::wet ? "wet" : "stock";
@@ -177,7 +177,7 @@ class StockAndDrench final : public Scene {
             return sum;
         }
         double meanStrain() const { return demo::meanStrain(*body_); }
-        /// m below the corners.
+        // m below the corners.
         double lowest() const {
             auto lowest = btScalar(sheet_.corner.y());
             for (int n = 0; n < body_->m_nodes.size(); ++n)
@@ -209,7 +209,7 @@ class StockAndDrench final : public Scene {
         }
 
       private:
-        /// A sheet that Drench knows nothing of.
+        // A sheet that Drench knows nothing of.
         void addPlainSheet(int iterations) {
             const Fabric fabric = sheet_.fabric.fabric();
             albedo_ = {float(fabric.albedoRed), float(fabric.albedoGreen), float(fabric.albedoBlue)};
@@ -224,7 +224,7 @@ class StockAndDrench final : public Scene {
             stage_->world().damp(*body_, sheet_.damping, frameTime);
         }
 
-        /// Cut flat, then hung between posts that stand a little closer, in a soft bow.
+        // Cut flat, then hung between posts that stand a little closer, in a soft bow.
         void hang() {
             const double side = sheet_.warp.norm();
             for (int n = 0; n < body_->m_nodes.size(); ++n) {

@@ -41,25 +41,25 @@ constexpr PhasePlan settling{3.5, 0.4, 4.0};
 constexpr PhasePlan blowing{2.5, 1.0, 0.8};
 constexpr PhasePlan swinging{8.0, 0.0, 0.05};  // at most; ends with the period
 
-/// Water in an inner node at a step, as a share of saturation.
+// Water in an inner node at a step, as a share of saturation.
 double fractionOfSaturation(int step) {
     return step == 0 ? 0.0 : (0.010e-3 + 0.083e-3 * step) / saturatedNode;
 }
 
-/// Node spacing at which an inner node of cotton saturates at 0.840 g in a grid 55 nodes wide.
+// Node spacing at which an inner node of cotton saturates at 0.840 g in a grid 55 nodes wide.
 double cottonSpacing() {
     return std::sqrt(saturatedNode / fabrics::cottonPlain().poreCapacity());
 }
 
-/// The sag hangs on the few links at the corners, which carry far more than the mean that the solver's own
-/// choice goes by. With as many small steps as nodes along the warp, twice as many change it by 2 % or so.
+// The sag hangs on the few links at the corners, which carry far more than the mean that the solver's own
+// choice goes by. With as many small steps as nodes along the warp, twice as many change it by 2 % or so.
 int smallSteps(int nodesWarp) {
     constexpr int multiple = 4;  // lets the solver spare plates
     return (nodesWarp + multiple - 1) / multiple * multiple;
 }
 
-/// What a step begins with. The experiment prescribes how much water each part of the cloth holds, so the water stands
-/// still: it neither runs down nor dries.
+// What a step begins with. The experiment prescribes how much water each part of the cloth holds, so the water stands
+// still: it neither runs down nor dries.
 SceneDescription described(const SceneOptions& options, int step) {
     SceneDescription scene = fitted(sceneFile("ten-steps"), options);
     SheetDescription& sheet = scene.sheets.front();
@@ -79,7 +79,7 @@ double mean(const std::vector<double>& values) {
 
 }  // namespace
 
-/// Finds the period of a swing from the times at which it passes its middle.
+// Finds the period of a swing from the times at which it passes its middle.
 class TenSteps::Swing {
   public:
     void note(double time, double displacement) {
@@ -89,7 +89,7 @@ class TenSteps::Swing {
         noted_ = true;
     }
 
-    /// NaN while it has not passed the middle twice.
+    // NaN while it has not passed the middle twice.
     double period() const {
         return crossings_.size() < 2 ? notMeasured : 2 * (crossings_[1] - crossings_[0]);
     }

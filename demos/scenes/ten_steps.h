@@ -8,11 +8,11 @@
 
 namespace drench::demo {
 
-/// A sheet of 55 x 45 nodes hangs by its two upper corners over a ball and the ground. Step 0 is dry; steps n
-/// = 1..10 hold 0.010 + 0.083 n grams of water per inner node of cotton, the last of which is saturation;
-/// other fabrics get the same shares of their own saturation. The water is in the pores and stands still. Each
-/// step starts from a flat sheet at rest, settles in still air, is measured, then blown at, measured again, and
-/// let swing.
+// A sheet of 55 x 45 nodes hangs by its two upper corners over a ball and the ground. Step 0 is dry; steps n
+// = 1..10 hold 0.010 + 0.083 n grams of water per inner node of cotton, the last of which is saturation;
+// other fabrics get the same shares of their own saturation. The water is in the pores and stands still. Each
+// step starts from a flat sheet at rest, settles in still air, is measured, then blown at, measured again, and
+// let swing.
 class TenSteps final : public Scene {
   public:
     explicit TenSteps(const SceneOptions& options);
@@ -35,7 +35,7 @@ class TenSteps final : public Scene {
     void report(std::ostream& out) const override;
     std::vector<std::string> failures() const override;
 
-    /// What is known of a step; NaN where it is not measured yet.
+    // What is known of a step; NaN where it is not measured yet.
     struct Result {
         double waterPerNode;    // g, of an inner node
         double sheetMass;       // kg

@@ -19,9 +19,9 @@ namespace drench::demo {
 
 namespace {
 
-/// A vertical strip, 3 cm wide and 30 cm long, warp upwards, both long edges held in a frame, its foot 1 cm in a
-/// dish of water. The water runs 60 times as fast as the clock: 30 minutes take 30 seconds. No vapour passes, so
-/// that nothing but height holds the water back.
+// A vertical strip, 3 cm wide and 30 cm long, warp upwards, both long edges held in a frame, its foot 1 cm in a
+// dish of water. The water runs 60 times as fast as the clock: 30 minutes take 30 seconds. No vapour passes, so
+// that nothing but height holds the water back.
 class Wick final : public StagedScene {
     static constexpr double wantedDepth = 0.01;  // m, of the foot below the water
     static constexpr double frontLevel = 0.1;    // saturation that counts as wet
@@ -30,7 +30,7 @@ class Wick final : public StagedScene {
     static constexpr double tolerance = 0.12;  // of heights against the reference, whose foot is always full
     static constexpr double fitFrom = 0.01, fitTo = 0.05;  // m, heights of the early rise
 
-    /// Heights that a fine one-dimensional solution of the same equations gives for cotton (docs/water.md).
+    // Heights that a fine one-dimensional solution of the same equations gives for cotton (docs/water.md).
     struct Reference {
         double minutes;
         double height;  // m
@@ -86,7 +86,7 @@ class Wick final : public StagedScene {
     }
 
   private:
-    /// A flat quadrilateral of one colour.
+    // A flat quadrilateral of one colour.
     static viewer::SheetMesh panel(const std::array<Eigen::Vector3f, 4>& corners,
                                    const Eigen::Vector3f& colour, float gloss) {
         viewer::SheetMesh mesh;
@@ -97,7 +97,7 @@ class Wick final : public StagedScene {
         return mesh;
     }
 
-    /// A white dish of water whose surface is at a height.
+    // A white dish of water whose surface is at a height.
     static void showDish(viewer::Picture& picture, float level) {
         constexpr float x = 0.075f, z = 0.05f, flare = 1.02f;
         const float rim = level + 0.008f;
@@ -116,7 +116,7 @@ class Wick final : public StagedScene {
         }
     }
 
-    /// The frame beside the strip, and marks on it at every centimetre above the water.
+    // The frame beside the strip, and marks on it at every centimetre above the water.
     static void showFrame(viewer::Picture& picture, const SheetDescription& strip, float level) {
         const Eigen::Vector3f wood(0.42f, 0.31f, 0.20f), mark(0.03f, 0.03f, 0.03f);
         const auto foot = float(strip.corner.y());
@@ -142,7 +142,7 @@ class Wick final : public StagedScene {
         return std::get<PoolDescription>(scene.sources.front().water);
     }
 
-    /// The topmost wet row is just under the surface, so that heights count from where the water enters.
+    // The topmost wet row is just under the surface, so that heights count from where the water enters.
     static SceneDescription described(const SceneOptions& options) {
         SceneDescription scene = fitted(sceneFile("wick"), options);
         const SheetDescription& strip = scene.sheets.front();
@@ -152,7 +152,7 @@ class Wick final : public StagedScene {
         return scene;
     }
 
-    /// The law of Washburn, height^2 = coefficient (time - offset), fitted to the early rise.
+    // The law of Washburn, height^2 = coefficient (time - offset), fitted to the early rise.
     struct Fit {
         double coefficient;    // m2/s
         double determination;  // R2, 1
@@ -198,7 +198,7 @@ class Wick final : public StagedScene {
         if (!washburn && waterMinutes() > 5) list.emplace_back("the front has not risen enough for a fit");
     }
 
-    /// Highest place that is at least a tenth saturated, m above the water.
+    // Highest place that is at least a tenth saturated, m above the water.
     double frontHeight() const {
         const double depth = level_ - cloth().madeFrom().corner.y();
         double above = 0;
@@ -221,7 +221,7 @@ class Wick final : public StagedScene {
         return sum / cloth().nodesWeft();
     }
 
-    /// NaN for a time that has not come.
+    // NaN for a time that has not come.
     double heightAfter(double minutes) const {
         const auto frame =
             static_cast<std::size_t>(std::lround(minutes * 60 / cloth().waterSpeed() / frameTime));

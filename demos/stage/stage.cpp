@@ -19,7 +19,7 @@ SmallStepSettings smallStepsOf(const SolverDescription& solver) {
     throw std::invalid_argument("there is no " + std::string(what) + " '" + name + "'; there are: " + known);
 }
 
-/// The names of a list's entries, in quotes.
+// The names of a list's entries, in quotes.
 template <typename List, typename NameOf>
 std::string namesOf(const List& list, NameOf nameOf) {
     std::string names;
@@ -120,8 +120,8 @@ double Stage::stepBound() const {
     return bound;
 }
 
-/// With stock Bullet as many as show the stiffness of the links; the wetter the sheets, the fewer it takes. The bound is
-/// that of free corners, whose light nodes need steps shorter by sqrt(2) than the sheet and carry nothing.
+// With stock Bullet as many as show the stiffness of the links; the wetter the sheets, the fewer it takes. The bound is
+// that of free corners, whose light nodes need steps shorter by sqrt(2) than the sheet and carry nothing.
 void Stage::chooseSubsteps(double frameTime) {
     const double bound = stepBound();
     const int inner = std::max(1, int(std::ceil(frameTime / (std::sqrt(2.0) * bound))));

@@ -19,11 +19,11 @@
 
 namespace drench::demo {
 
-/// Sheets, solids and sources in one world, in one weather. Made from a description, which it can give again at any
-/// time with everything as it is then. Small code of a scene's own may be played over it.
+// Sheets, solids and sources in one world, in one weather. Made from a description, which it can give again at any
+// time with everything as it is then. Small code of a scene's own may be played over it.
 class Stage {
   public:
-    /// @throws std::invalid_argument for what cannot be built, naming it
+    // @throws std::invalid_argument for what cannot be built, naming it
     explicit Stage(const SceneDescription& description);
     ~Stage();
     Stage(const Stage&) = delete;
@@ -33,45 +33,45 @@ class Stage {
     const SceneWorld& world() const { return *world_; }
     std::vector<SceneCloth*> sheets();
     std::vector<const SceneCloth*> sheets() const;
-    /// @throws std::invalid_argument for a name that is not there
+    // @throws std::invalid_argument for a name that is not there
     SceneCloth& sheet(const std::string& name);
-    /// Takes in a sheet of another shape than a rectangle, which must be in this world.
+    // Takes in a sheet of another shape than a rectangle, which must be in this world.
     SceneCloth& add(std::unique_ptr<SceneCloth> sheet);
-    /// The body of a solid. @throws std::invalid_argument for a name that is not there, or is only to look at
+    // The body of a solid. @throws std::invalid_argument for a name that is not there, or is only to look at
     btRigidBody& solid(const std::string& name);
-    /// What a source does; it may be changed at any time and counts from the next step on.
-    /// @throws std::invalid_argument for a name that is not there
+    // What a source does; it may be changed at any time and counts from the next step on.
+    // @throws std::invalid_argument for a name that is not there
     SourceDescription& source(const std::string& name);
-    /// Drops in the air; null where drops are not followed.
+    // Drops in the air; null where drops are not followed.
     const FallingDrops* drops() const { return drops_.get(); }
 
-    /// What the user may change at any time; it counts from the next step on.
+    // What the user may change at any time; it counts from the next step on.
     Weather& weather() { return weather_.now(); }
     const Weather& weather() const { return weather_.now(); }
-    /// How much faster water runs than the world's own time, for all sheets; 0 to 1e5.
-    /// @throws std::invalid_argument for a speed out of range
+    // How much faster water runs than the world's own time, for all sheets; 0 to 1e5.
+    // @throws std::invalid_argument for a speed out of range
     void setWaterSpeed(double speed);
-    /// Shows what a nozzle sprays in the next step; it wets what is solid for the eye, and no sheet.
+    // Shows what a nozzle sprays in the next step; it wets what is solid for the eye, and no sheet.
     void showSpray(const Nozzle& nozzle) { effects_.spray(nozzle); }
-    /// Whether anything may bring water; otherwise no vapour passes either.
+    // Whether anything may bring water; otherwise no vapour passes either.
     bool hasWater() const { return description_.water; }
 
-    /// Steps everything by one frame: weather, sources, world, drops, and what only the eye sees.
+    // Steps everything by one frame: weather, sources, world, drops, and what only the eye sees.
     void step(double frameTime);
-    /// That has passed, s, counted from the description's own.
+    // That has passed, s, counted from the description's own.
     double time() const { return time_; }
 
-    /// The smallest step bound of all sheets, s.
+    // The smallest step bound of all sheets, s.
     double stepBound() const;
-    /// Steps of the last frame: small ones, or substeps.
+    // Steps of the last frame: small ones, or substeps.
     int stepsOfFrame() const { return world_->stepsOfFrame(substeps_); }
 
-    /// Adds everything that there is to see, its sheets as in the view, and looks at it with the camera of the
-    /// description.
+    // Adds everything that there is to see, its sheets as in the view, and looks at it with the camera of the
+    // description.
     void show(viewer::Picture& picture, View view) const;
 
-    /// The stage as it is now, with the pose and the water of each sheet. Drops in the air are left out.
-    /// @throws std::runtime_error for a sheet that is not a rectangle
+    // The stage as it is now, with the pose and the water of each sheet. Drops in the air are left out.
+    // @throws std::runtime_error for a sheet that is not a rectangle
     SceneDescription describe() const;
 
   private:

@@ -7,8 +7,8 @@ namespace drench::demo {
 
 namespace {
 
-/// Around what the camera looks at, down to the ground; rather behind it than before it, as drops close to the eye
-/// would be as large as posts.
+// Around what the camera looks at, down to the ground; rather behind it than before it, as drops close to the eye
+// would be as large as posts.
 Eigen::AlignedBox3d showerOf(const SceneDescription& scene) {
     constexpr double narrowest = 1.5, widest = 6, height = 0.7,
                      behind = 0.2;  // the last two over the half width
@@ -23,7 +23,7 @@ Eigen::AlignedBox3d showerOf(const SceneDescription& scene) {
             Eigen::Vector3d(middle.x() + half, top, middle.z() + half)};
 }
 
-/// Share of the sun's light that passes the clouds of such rain, mm/h (assumed).
+// Share of the sun's light that passes the clouds of such rain, mm/h (assumed).
 double sunshineIn(double rain) {
     constexpr double min = 0.24, half = 8;
     return min + (1 - min) * std::exp2(-rain / half);
@@ -50,7 +50,7 @@ void StageEffects::setPools(const std::vector<StageSource>& sources) {
     effects_->setPools(std::move(pools));
 }
 
-/// Clouds take a moment to gather and to part.
+// Clouds take a moment to gather and to part.
 void StageEffects::cloudOver(double rain, double frameTime) {
     constexpr double gathering = 1.5;  // s
     sunshine_ += (sunshineIn(rain) - sunshine_) * (1 - std::exp(-frameTime / gathering));

@@ -12,17 +12,17 @@
 
 namespace drench::demo {
 
-/// Follows rain, sprays, pools and drops; reads the stage and changes nothing on it. Takes no time before there is
-/// water in the air.
+// Follows rain, sprays, pools and drops; reads the stage and changes nothing on it. Takes no time before there is
+// water in the air.
 class StageEffects {
   public:
     StageEffects(const btCollisionWorld& world, const SceneDescription& description);
 
-    /// Shows what a nozzle sprays in the next frame.
+    // Shows what a nozzle sprays in the next frame.
     void spray(const Nozzle& nozzle) { nozzles_.push_back(nozzle); }
 
-    /// Follows one frame that has just been stepped.
-    /// @param drops  null where they are not followed
+    // Follows one frame that has just been stepped.
+    // @param drops  null where they are not followed
     void step(double frameTime, double time, const Weather& weather, const std::vector<StageSource>& sources,
               const std::vector<std::unique_ptr<SceneCloth>>& sheets, const FallingDrops* drops);
     void show(viewer::Picture& picture) const;

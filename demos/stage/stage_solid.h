@@ -9,18 +9,18 @@
 
 namespace drench::demo {
 
-/// A solid as described, in a world that owns its body.
+// A solid as described, in a world that owns its body.
 class StageSolid {
   public:
     StageSolid(SceneWorld& world, const SolidDescription& description);
 
     const std::string& name() const { return description_.name; }
-    /// How cloth takes to it; none: as Bullet's friction says.
+    // How cloth takes to it; none: as Bullet's friction says.
     std::optional<SurfaceKind> surface() const { return description_.surface; }
-    /// None where it is only to look at.
+    // None where it is only to look at.
     btRigidBody* body() const { return body_; }
 
-    /// As it is now.
+    // As it is now.
     SolidDescription describe() const;
     void show(viewer::Picture& picture) const;
 

@@ -7,7 +7,7 @@ namespace drench::demo {
 
 namespace {
 
-/// Nodes of a sheet within the circle of a soak.
+// Nodes of a sheet within the circle of a soak.
 std::vector<std::size_t> nodesWithin(const SoakDescription& soak, const SceneCloth& sheet) {
     std::vector<std::size_t> nodes;
     for (int n = 0; n < sheet.body().m_nodes.size(); ++n)
@@ -15,7 +15,7 @@ std::vector<std::size_t> nodesWithin(const SoakDescription& soak, const SceneClo
     return nodes;
 }
 
-/// Puts a source to work on a sheet.
+// Puts a source to work on a sheet.
 struct Begin {
     SceneCloth& sheet;
     const std::string& name;
@@ -38,7 +38,7 @@ struct Begin {
     }
 };
 
-/// Gives a source at work the settings of its description.
+// Gives a source at work the settings of its description.
 struct Refresh {
     Source& source;
 

@@ -7,7 +7,7 @@ namespace drench::demo {
 
 namespace {
 
-/// A wind whose clock is ahead of the sheets'.
+// A wind whose clock is ahead of the sheets'.
 class LaterWind final : public WindField {
   public:
     LaterWind(std::shared_ptr<const WindField> wind, double ahead) : wind_(std::move(wind)), ahead_(ahead) {}
@@ -41,7 +41,7 @@ Eigen::Vector3d velocityOfRain(const Weather& weather) {
 StageWeather::StageWeather(const Weather& weather, unsigned randomSeed, double time, bool water)
     : weather_(weather), seed_(randomSeed), time_(time), water_(water) {}
 
-/// Makes gusts only where the weather has changed, as new ones jump.
+// Makes gusts only where the weather has changed, as new ones jump.
 void StageWeather::renewGusts() {
     const GustState wanted{windOf(weather_), weather_.gusts, weather_.gustLength};
     if (!(wanted.intensity > 0) || wanted.mean.isZero()) {

@@ -16,7 +16,7 @@ namespace drench::demo {
 
 namespace {
 
-/// With the fabric that suits it, unless the user has chosen one.
+// With the fabric that suits it, unless the user has chosen one.
 void chooseScene(PanelState& state, const SceneEntry& entry) {
     state.scene = entry.name;
     state.described.reset();
@@ -56,7 +56,7 @@ bool pickFabric(PanelState& state) {
     return changed;
 }
 
-/// @return whether the user has let go of another value than there was
+// @return whether the user has let go of another value than there was
 bool pickCount(const char* name, int& value, int min, int max, const char* noneName) {
     ImGui::SliderInt(name, &value, 0, max, value == 0 ? noneName : "%d", ImGuiSliderFlags_AlwaysClamp);
     if (value > 0) value = std::max(value, min);
@@ -113,7 +113,7 @@ bool showRunning(const FrameState& now, Simulation& simulation) {
     return restart;
 }
 
-/// Which scene, fabric and solver, and how it runs. @return whether the scene is to begin anew
+// Which scene, fabric and solver, and how it runs. @return whether the scene is to begin anew
 bool showSceneGroup(const FrameState& now, PanelState& state, Simulation& simulation) {
     bool restart = showRunning(now, simulation);
     if (!ImGui::CollapsingHeader("scene", ImGuiTreeNodeFlags_DefaultOpen)) return restart;
@@ -125,7 +125,7 @@ bool showSceneGroup(const FrameState& now, PanelState& state, Simulation& simula
     return restart;
 }
 
-/// A slider for one value of the weather of all stages.
+// A slider for one value of the weather of all stages.
 void changeWeather(const char* name, Weather& shown, double Weather::*value, double min, double max,
                    const char* format, Simulation& simulation) {
     if (!ImGui::SliderScalar(name, ImGuiDataType_Double, &(shown.*value), &min, &max, format,
@@ -154,7 +154,7 @@ void pourWater(Simulation& simulation) {
         });
 }
 
-/// The steps of the experiment: dry, and tenths of saturation.
+// The steps of the experiment: dry, and tenths of saturation.
 void showWettingRow(PanelState& state, Simulation& simulation) {
     ImGui::TextUnformatted("tenths of what the pores hold:");
     for (int tenths = 0; tenths <= 10; ++tenths) {
@@ -167,7 +167,7 @@ void showWettingRow(PanelState& state, Simulation& simulation) {
     }
 }
 
-/// Air, wind and rain.
+// Air, wind and rain.
 void showWeatherGroup(const FrameState& now, PanelState& state, Simulation& simulation) {
     if (!ImGui::CollapsingHeader("weather", ImGuiTreeNodeFlags_DefaultOpen)) return;
     if (!now.weather) return ImGui::TextDisabled("this scene makes its own");
@@ -181,7 +181,7 @@ void showWeatherGroup(const FrameState& now, PanelState& state, Simulation& simu
     changeWeather("rain", shown, &Weather::rain, 0, 100, "%.0f mm/h", simulation);
 }
 
-/// The speed of water, and water at a stroke.
+// The speed of water, and water at a stroke.
 void showWaterGroup(const FrameState& now, PanelState& state, Simulation& simulation) {
     if (!ImGui::CollapsingHeader("water", ImGuiTreeNodeFlags_DefaultOpen)) return;
     changeWaterSpeed(now, state, simulation);
@@ -189,7 +189,7 @@ void showWaterGroup(const FrameState& now, PanelState& state, Simulation& simula
     pourWater(simulation);
 }
 
-/// What the left mouse button does to cloth.
+// What the left mouse button does to cloth.
 void showToolGroup(PanelState& state) {
     if (!ImGui::CollapsingHeader("mouse, left button on cloth", ImGuiTreeNodeFlags_DefaultOpen)) return;
     const auto choose = [&](const char* name, Tool tool) {
@@ -202,7 +202,7 @@ void showToolGroup(PanelState& state) {
     choose("towel (D)", Tool::towel);
 }
 
-/// What the picture shows of the sheets. @return whether the scene is to begin anew
+// What the picture shows of the sheets. @return whether the scene is to begin anew
 bool showViewGroup(PanelState& state, Simulation& simulation) {
     if (!ImGui::CollapsingHeader("view", ImGuiTreeNodeFlags_DefaultOpen)) return false;
     constexpr const char* names[] = {"beauty", "water content", "film", "strain"};
@@ -220,7 +220,7 @@ void editName(std::string& file) {
     if (ImGui::InputText("file", text.data(), text.size())) file = text.data();
 }
 
-/// @return whether there is a scene to begin
+// @return whether there is a scene to begin
 bool load(PanelState& state) {
     try {
         state.described = loadScene(state.file);
@@ -240,7 +240,7 @@ bool load(PanelState& state) {
     return true;
 }
 
-/// Saves the scene to a file, or loads one. @return whether the scene is to begin anew
+// Saves the scene to a file, or loads one. @return whether the scene is to begin anew
 bool showFileGroup(PanelState& state, Simulation& simulation) {
     if (!ImGui::CollapsingHeader("scene file")) return false;
     editName(state.file);
@@ -279,7 +279,7 @@ ImVec2 middle() {
     return {screen.x / 2, screen.y / 2};
 }
 
-/// Keys and mouse, in a window of its own, which the user may close.
+// Keys and mouse, in a window of its own, which the user may close.
 void showHelp(bool& shown) {
     ImGui::SetNextWindowPos(middle(), ImGuiCond_Appearing, {0.5f, 0.5f});
     if (ImGui::Begin("keys and mouse", &shown,
@@ -292,7 +292,7 @@ void showHelp(bool& shown) {
     ImGui::End();
 }
 
-/// What went wrong, in a window of its own. @return whether the scene is to begin anew
+// What went wrong, in a window of its own. @return whether the scene is to begin anew
 bool showTrouble(const std::string& trouble) {
     bool restart = false;
     ImGui::SetNextWindowPos(middle(), ImGuiCond_Appearing, {0.5f, 0.5f});

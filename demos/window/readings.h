@@ -8,16 +8,16 @@
 
 namespace drench::demo {
 
-/// Rates, plots of water and times, and the sheets, within ImGui windows.
+// Rates, plots of water and times, and the sheets, within ImGui windows.
 class Readings {
   public:
-    /// @param renderer  what OpenGL draws with, as the driver names it
+    // @param renderer  what OpenGL draws with, as the driver names it
     explicit Readings(const std::string& renderer);
 
-    /// Takes in the newest frame, for the plots.
+    // Takes in the newest frame, for the plots.
     void note(const FrameState& now);
     void show(const FrameState& now, const std::string& notice) const;
-    /// Notes how long the last picture took to draw, s.
+    // Notes how long the last picture took to draw, s.
     void noteDrawTime(double seconds) { drawTime_ = seconds; }
 
   private:

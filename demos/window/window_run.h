@@ -16,17 +16,17 @@
 
 namespace drench::demo {
 
-/// Counts the pictures of a window, for the line that --timings asks for.
+// Counts the pictures of a window, for the line that --timings asks for.
 class PictureCount {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// @param start  of the program
+    // @param start  of the program
     explicit PictureCount(Clock::time_point start) : start_(start) {}
 
-    /// Notes that a picture is on the screen.
+    // Notes that a picture is on the screen.
     void note();
-    /// Writes when the first picture came, and how many there were a second after that.
+    // Writes when the first picture came, and how many there were a second after that.
     void report(std::ostream& out) const;
 
   private:
@@ -36,15 +36,15 @@ class PictureCount {
     int count_ = 0;
 };
 
-/// Shows a simulation, which runs by itself, and hands it what the user wants. The scene is looked at as it
-/// was last seen; drawing never makes it wait but for pictures and films that are to be kept whole.
+// Shows a simulation, which runs by itself, and hands it what the user wants. The scene is looked at as it
+// was last seen; drawing never makes it wait but for pictures and films that are to be kept whole.
 class WindowRun {
   public:
-    /// Opens the window. @throws std::runtime_error where that cannot be
+    // Opens the window. @throws std::runtime_error where that cannot be
     explicit WindowRun(const RunOptions& options);
 
-    /// Goes on until the window is closed. @return the exit status: 0, 1 after OpenGL errors, or 2 where a
-    /// film or the scene has failed
+    // Goes on until the window is closed. @return the exit status: 0, 1 after OpenGL errors, or 2 where a
+    // film or the scene has failed
     int loop();
 
   private:
@@ -83,8 +83,8 @@ class WindowRun {
     bool filmLost_ = false;
 };
 
-/// Makes the scene that the options name and runs it in a window until that is closed.
-/// @return the exit status, as `WindowRun::loop`
+// Makes the scene that the options name and runs it in a window until that is closed.
+// @return the exit status, as `WindowRun::loop`
 int runInWindow(const RunOptions& options);
 
 }  // namespace drench::demo

@@ -9,10 +9,10 @@
 
 namespace drench::demo {
 
-/// As Bullet solves it, or a solver that is given.
+// As Bullet solves it, or a solver that is given.
 class BulletWorld : public SceneWorld {
   public:
-    /// @param solver  of the soft bodies, which must outlive this; none: Bullet's own
+    // @param solver  of the soft bodies, which must outlive this; none: Bullet's own
     explicit BulletWorld(btSoftBodySolver* solver = nullptr);
 
     btSoftRigidDynamicsWorld& world() override { return world_; }
@@ -32,21 +32,21 @@ class BulletWorld : public SceneWorld {
     btSoftRigidDynamicsWorld world_;
 };
 
-/// A solver that is there before the world, and after it.
+// A solver that is there before the world, and after it.
 class OwnSolver {
   protected:
     explicit OwnSolver(const SmallStepSettings& settings) : solver_(settings) {}
     SmallStepSolver solver_;
 };
 
-/// With Drench's solver for its sheets.
+// With Drench's solver for its sheets.
 class SmallStepWorld final : private OwnSolver, public BulletWorld {
   public:
     explicit SmallStepWorld(const SmallStepSettings& settings) : OwnSolver(settings), BulletWorld(&solver_) {}
 
-    /// One: the solver divides it as it needs to.
+    // One: the solver divides it as it needs to.
     int substepsFor(double, double, int) const override { return 1; }
-    /// The solver takes kDP as a rate.
+    // The solver takes kDP as a rate.
     void damp(btSoftBody& sheet, double rate, double) const override { sheet.m_cfg.kDP = btScalar(rate); }
     int smallSteps() const override { return solver_.steps(); }
     std::string stepsName() const override { return "Small steps per frame of 1/60 s, in one substep"; }

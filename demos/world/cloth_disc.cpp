@@ -16,7 +16,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Sine of the smallest angle, below 0 for a triangle that lies on its face.
+// Sine of the smallest angle, below 0 for a triangle that lies on its face.
 double quality(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
     const double doubledArea = cross(b - a, c - a);
     const double edges[] = {(b - a).norm(), (c - b).norm(), (a - c).norm()};
@@ -25,7 +25,7 @@ double quality(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::
     return product > 0 ? doubledArea * shortest / product : -1;
 }
 
-/// The part of a square grid that lies well within a circle.
+// The part of a square grid that lies well within a circle.
 class Grid {
   public:
     Grid(DiscMesh& mesh, double cell, double radius) : mesh_(mesh), cell_(cell), radius_(radius) {
@@ -38,7 +38,7 @@ class Grid {
     }
 
   private:
-    /// -1 outside.
+    // -1 outside.
     int node(int i, int j) {
         const Eigen::Vector2d position(i * cell_, j * cell_);
         if (position.norm() > radius_) return -1;
@@ -47,7 +47,7 @@ class Grid {
         return found->second;
     }
 
-    /// Half a cell where one corner is outside.
+    // Half a cell where one corner is outside.
     void addCell(int i, int j) {
         const std::array<int, 4> corners{node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)};
         const auto outside = std::count(corners.begin(), corners.end(), -1);
@@ -70,7 +70,7 @@ class Grid {
     std::map<std::array<int, 2>, int> index_;
 };
 
-/// Drops nodes that no triangle has.
+// Drops nodes that no triangle has.
 void dropLoneNodes(DiscMesh& mesh) {
     std::vector<int> newIndex(mesh.nodes.size(), -1);
     std::vector<Eigen::Vector2d> kept;
@@ -88,7 +88,7 @@ void dropLoneNodes(DiscMesh& mesh) {
     mesh.nodes = kept;
 }
 
-/// The border of the triangles, anticlockwise.
+// The border of the triangles, anticlockwise.
 std::vector<int> borderOf(const DiscMesh& mesh) {
     std::map<int, int> next;
     std::set<std::array<int, 2>> edges;
@@ -102,7 +102,7 @@ std::vector<int> borderOf(const DiscMesh& mesh) {
     return loop;
 }
 
-/// Nodes evenly along the circle, the first at an angle in rad.
+// Nodes evenly along the circle, the first at an angle in rad.
 std::vector<int> addRing(DiscMesh& mesh, double radius, int count, double firstAngle) {
     std::vector<int> ring;
     for (int i = 0; i < count; ++i) {
@@ -113,8 +113,8 @@ std::vector<int> addRing(DiscMesh& mesh, double radius, int count, double firstA
     return ring;
 }
 
-/// Fills the strip between two loops with triangles: of all ways to go round, that in which the sum of the sides
-/// across is the shortest and no triangle is thin.
+// Fills the strip between two loops with triangles: of all ways to go round, that in which the sum of the sides
+// across is the shortest and no triangle is thin.
 class Strip {
   public:
     Strip(DiscMesh& mesh, const std::vector<int>& inner, const std::vector<int>& outer)
@@ -163,7 +163,7 @@ class Strip {
     std::vector<double> costs_;
 };
 
-/// Moves the nodes that are nearest to a circle onto it.
+// Moves the nodes that are nearest to a circle onto it.
 void moveOnto(DiscMesh& mesh, double radius, double reach) {
     for (Eigen::Vector2d& node : mesh.nodes)
         if (std::abs(node.norm() - radius) < reach) node *= radius / node.norm();

@@ -11,22 +11,22 @@
 
 namespace drench::demo {
 
-/// Triangles and links of a disc around the origin.
+// Triangles and links of a disc around the origin.
 struct DiscMesh {
     std::vector<Eigen::Vector2d> nodes;  // m, x along the warp
     std::vector<std::array<int, 3>> triangles;
     std::vector<std::array<int, 2>> links;
 };
 
-/// A grid along warp and weft with both diagonals of each cell as links, since only such links are stiff along the
-/// threads and soft in shear as woven cloth is; a mesh of equilateral triangles hardly shears. Its
-/// border is moved out to nodes on the circle; so are the nodes nearest to a second circle within.
-/// @param nodesAcross  along a diameter
-/// @param innerRadius  of the second circle, m
+// A grid along warp and weft with both diagonals of each cell as links, since only such links are stiff along the
+// threads and soft in shear as woven cloth is; a mesh of equilateral triangles hardly shears. Its
+// border is moved out to nodes on the circle; so are the nodes nearest to a second circle within.
+// @param nodesAcross  along a diameter
+// @param innerRadius  of the second circle, m
 DiscMesh discMesh(double radius, int nodesAcross, double innerRadius);
 
-/// The disc, level with its centre at a point, the warp along x. Masses, friction and voxel size are set as
-/// makeSheet sets them.
+// The disc, level with its centre at a point, the warp along x. Masses, friction and voxel size are set as
+// makeSheet sets them.
 std::unique_ptr<btSoftBody> makeDisc(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
                                      const DiscMesh& mesh, const btVector3& centre);
 

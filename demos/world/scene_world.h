@@ -13,7 +13,7 @@
 
 namespace drench::demo {
 
-/// A world as an application would set one up; owns the rigid bodies in it. Gravity is 9.81 m/s2 downwards (-y).
+// A world as an application would set one up; owns the rigid bodies in it. Gravity is 9.81 m/s2 downwards (-y).
 class SceneWorld {
   public:
     virtual ~SceneWorld() = default;
@@ -25,34 +25,34 @@ class SceneWorld {
     virtual void addSoftBody(btSoftBody& body) = 0;
     virtual void removeSoftBody(btSoftBody& body) = 0;
 
-    /// Substeps that a frame needs for sheets with this step bound (WetCloth::stepBound), s; `most` where fewer
-    /// would only make links softer.
+    // Substeps that a frame needs for sheets with this step bound (WetCloth::stepBound), s; `most` where fewer
+    // would only make links softer.
     virtual int substepsFor(double frameTime, double stepBound, int max) const = 0;
-    /// Has a sheet lose its velocity at a rate, 1/s, in substeps of so many seconds.
+    // Has a sheet lose its velocity at a rate, 1/s, in substeps of so many seconds.
     virtual void damp(btSoftBody& sheet, double rate, double substep) const = 0;
-    /// Small steps that the solver made of the last substep; 0 where it makes none.
+    // Small steps that the solver made of the last substep; 0 where it makes none.
     virtual int smallSteps() const { return 0; }
-    /// Steps in which the sheets moved in the last frame, which had so many substeps.
+    // Steps in which the sheets moved in the last frame, which had so many substeps.
     int stepsOfFrame(int substeps) const { return smallSteps() > 0 ? smallSteps() : substeps; }
-    /// What the steps of a frame are, for a report: "Substeps per frame ...".
+    // What the steps of a frame are, for a report: "Substeps per frame ...".
     virtual std::string stepsName() const = 0;
 
-    /// Level ground at a height: the top of a box, since soft bodies float above a plane shape.
+    // Level ground at a height: the top of a box, since soft bodies float above a plane shape.
     btRigidBody& addGround(double height);
 
-    /// A ball; it stays where it is if its mass is 0.
+    // A ball; it stays where it is if its mass is 0.
     btRigidBody& addBall(const btVector3& centre, double radius, double mass);
 
-    /// A box, along the axes of the world or turned; it stays where it is if its mass is 0.
+    // A box, along the axes of the world or turned; it stays where it is if its mass is 0.
     btRigidBody& addBox(const btVector3& centre, const btVector3& halfExtents,
                         const btQuaternion& turn = btQuaternion::getIdentity(), double mass = 0);
 
-    /// A rod with round ends along its own y axis; it stays where it is if its mass is 0.
-    /// @param length  between the centres of its ends, m
+    // A rod with round ends along its own y axis; it stays where it is if its mass is 0.
+    // @param length  between the centres of its ends, m
     btRigidBody& addCapsule(const btVector3& centre, double radius, double length, const btQuaternion& turn,
                             double mass = 0);
 
-    /// Steps the world by `frameTime`, in substeps of equal length.
+    // Steps the world by `frameTime`, in substeps of equal length.
     void step(double frameTime, int substeps);
 
   protected:
@@ -66,10 +66,10 @@ class SceneWorld {
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 
-/// Of a body's stretch and shear links, the mean of |length / rest length - 1|.
+// Of a body's stretch and shear links, the mean of |length / rest length - 1|.
 double meanStrain(const btSoftBody& body);
 
-/// An empty world. @param solver, steps  count in a soft-rigid world only
+// An empty world. @param solver, steps  count in a soft-rigid world only
 std::unique_ptr<SceneWorld> makeWorld(WorldKind kind, SolverKind solver, const SmallStepSettings& steps = {});
 
 }  // namespace drench::demo

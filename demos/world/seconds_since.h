@@ -5,7 +5,7 @@
 
 namespace drench::demo {
 
-/// Wall time since a moment, s.
+// Wall time since a moment, s.
 inline double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

@@ -12,7 +12,7 @@ namespace drench::demo {
 using drench::toBullet;
 using drench::toEigen;
 
-/// As pictures have it.
+// As pictures have it.
 inline Eigen::Vector3f pictureVector(const btVector3& v) {
     return {float(v.x()), float(v.y()), float(v.z())};
 }

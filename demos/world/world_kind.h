@@ -3,10 +3,10 @@
 
 namespace drench::demo {
 
-/// Bullet's worlds for soft bodies.
+// Bullet's worlds for soft bodies.
 enum class WorldKind { softRigid, deformable };
 
-/// What moves the sheets of a soft-rigid world; the deformable one has its own solver.
+// What moves the sheets of a soft-rigid world; the deformable one has its own solver.
 enum class SolverKind { smallStep, stock };
 
 }  // namespace drench::demo

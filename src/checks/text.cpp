@@ -8,7 +8,7 @@ namespace drench {
 
 namespace {
 
-/// Of a number as std::to_chars writes it: 1e-07 becomes 1e-7, and 1e+300 becomes 1e300.
+// Of a number as std::to_chars writes it: 1e-07 becomes 1e-7, and 1e+300 becomes 1e300.
 void appendTidy(std::string& text, std::string_view number) {
     const std::size_t e = number.find('e');
     text += number.substr(0, e);

@@ -7,7 +7,7 @@
 
 namespace drench {
 
-/// What belongs to each of many things, as the neighbours of each node: compressed sparse rows, two arrays for all.
+// What belongs to each of many things, as the neighbours of each node: compressed sparse rows, two arrays for all.
 template <typename Value>
 class CompressedRows {
   public:
@@ -26,9 +26,9 @@ class CompressedRows {
 
     CompressedRows() = default;
 
-    /// @param rows     how many there are
-    /// @param forEach  calls `add(row, value)`, the function that it is given, for every value; it is called twice, to
-    ///     count and to fill, and must do the same both times. The values of a row keep that order.
+    // @param rows     how many there are
+    // @param forEach  calls `add(row, value)`, the function that it is given, for every value; it is called twice, to
+    //     count and to fill, and must do the same both times. The values of a row keep that order.
     template <typename ForEach>
     CompressedRows(std::size_t rows, ForEach forEach) : first_(rows + 1, 0) {
         forEach([&](std::size_t row, const Value&) { ++first_[row + 1]; });
@@ -38,12 +38,12 @@ class CompressedRows {
         forEach([&](std::size_t row, const Value& value) { values_[next[row]++] = value; });
     }
 
-    /// Number of rows.
+    // Number of rows.
     std::size_t size() const { return first_.size() - 1; }
     Row operator[](std::size_t row) const {
         return {values_.data() + first_[row], values_.data() + first_[row + 1]};
     }
-    /// Number of values in all rows.
+    // Number of values in all rows.
     std::size_t valueCount() const { return values_.size(); }
 
   private:

@@ -8,19 +8,19 @@
 
 namespace drench {
 
-/// Takes set after set off a list of elements; each is one colour.
-/// @tparam Nodes  of an element: 2 of a link, 3 of a triangle
+// Takes set after set off a list of elements; each is one colour.
+// @tparam Nodes  of an element: 2 of a link, 3 of a triangle
 template <std::size_t Nodes>
 class IndependentSets {
   public:
-    /// @param elements  the nodes of each, of which negative ones do not count; they stay where they are
-    /// @param nodes     how many nodes there are
+    // @param elements  the nodes of each, of which negative ones do not count; they stay where they are
+    // @param nodes     how many nodes there are
     IndependentSets(const std::vector<std::array<int, Nodes>>& elements, std::size_t nodes)
         : elements_(elements), setOf_(nodes, -1) {}
 
-    /// Goes through the list in its order, and takes each element that shares no node with those taken before it.
-    /// @param waiting  indices of elements; those that are not taken stay
-    /// @return indices of those that are
+    // Goes through the list in its order, and takes each element that shares no node with those taken before it.
+    // @param waiting  indices of elements; those that are not taken stay
+    // @return indices of those that are
     std::vector<int> take(std::vector<int>& waiting) {
         ++set_;
         std::vector<int> taken;

@@ -12,7 +12,7 @@ namespace drench {
 
 namespace {
 
-/// A triangle as seen from one of its edges, in its own material coordinates.
+// A triangle as seen from one of its edges, in its own material coordinates.
 struct Beside {
     int opposite;                    // its node that is not on the edge
     Eigen::Vector2d from, to, apex;  // ends of the edge, lower node first, and the opposite corner
@@ -26,7 +26,7 @@ Beside besideOf(const ClothMesh& mesh, const EdgeTriangle& at) {
     return {nodes[at.apex], corners[from], corners[to], corners[at.apex]};
 }
 
-/// Of the triangles at an edge together, m2.
+// Of the triangles at an edge together, m2.
 double areaAt(const ClothMesh& mesh, const MeshEdges& edges, std::size_t edge) {
     double area = 0;
     for (const EdgeTriangle& at : edges.trianglesAt(edge))
@@ -34,7 +34,7 @@ double areaAt(const ClothMesh& mesh, const MeshEdges& edges, std::size_t edge) {
     return area;
 }
 
-/// Apex of the second triangle at an edge once it is laid beside the first; at a seam they lie apart.
+// Apex of the second triangle at an edge once it is laid beside the first; at a seam they lie apart.
 Eigen::Vector2d laidBeside(const Beside& first, const Beside& second) {
     const auto across = [](const Eigen::Vector2d& v) { return Eigen::Vector2d(-v.y(), v.x()); };
     const Eigen::Vector2d along = (first.to - first.from).normalized();
@@ -45,7 +45,7 @@ Eigen::Vector2d laidBeside(const Beside& first, const Beside& second) {
            across(along) * side * std::abs(offset.dot(across(otherAlong)));
 }
 
-/// Whether the open segments a-b and c-d cross; touching ends do not count.
+// Whether the open segments a-b and c-d cross; touching ends do not count.
 bool cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
            const Eigen::Vector2d& d) {
     Eigen::Matrix2d directions;
@@ -57,7 +57,7 @@ bool cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vect
     return along.minCoeff() > margin && along.maxCoeff() < 1 - margin;
 }
 
-/// Young's modulus of the links in the direction of `along`, N/m.
+// Young's modulus of the links in the direction of `along`, N/m.
 double directionalStiffness(const Fabric& fabric, const Eigen::Vector2d& along) {
     const double cos2 = along.x() * along.x() / along.squaredNorm();
     const double sin2 = 1 - cos2;
@@ -67,7 +67,7 @@ double directionalStiffness(const Fabric& fabric, const Eigen::Vector2d& along) 
            4 * shear * (1 - straight);
 }
 
-/// A link along which `area` of cloth is stretched.
+// A link along which `area` of cloth is stretched.
 LinkStiffness stretchLink(const Fabric& fabric, const Eigen::Vector2d& along, double area) {
     return {LinkKind::stretch, directionalStiffness(fabric, along) * area / along.squaredNorm()};
 }

@@ -4,7 +4,7 @@ namespace drench {
 
 namespace {
 
-/// An edge of a triangle, at its lower node.
+// An edge of a triangle, at its lower node.
 struct FromLower {
     int upper;  // node
     EdgeTriangle edge;

@@ -11,34 +11,34 @@
 
 namespace drench {
 
-/// Two nodes, the lower first.
+// Two nodes, the lower first.
 using NodePair = std::array<int, 2>;
 
 inline NodePair pairOf(int a, int b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
-/// A triangle as one of its edges sees it.
+// A triangle as one of its edges sees it.
 struct EdgeTriangle {
     std::size_t triangle;
-    std::size_t apex;  ///< its corner that is not on the edge, 0 to 2
+    std::size_t apex;  // its corner that is not on the edge, 0 to 2
 };
 
-/// Each edge once, in ascending order of its nodes, with the triangles at it in ascending order.
+// Each edge once, in ascending order of its nodes, with the triangles at it in ascending order.
 class MeshEdges {
   public:
-    /// @param triangles  node indices of each, 0 to below `nodes`
+    // @param triangles  node indices of each, 0 to below `nodes`
     MeshEdges(const std::vector<std::array<int, 3>>& triangles, std::size_t nodes);
 
     std::size_t size() const { return ends_.size(); }
-    /// Both nodes of each edge.
+    // Both nodes of each edge.
     const std::vector<NodePair>& ends() const { return ends_; }
-    /// One triangle at the border, two inside, more where the mesh branches.
+    // One triangle at the border, two inside, more where the mesh branches.
     CompressedRows<EdgeTriangle>::Row trianglesAt(std::size_t edge) const { return triangles_[edge]; }
-    /// Index of the edge between two nodes, in whichever order; none if they have no triangle in common.
+    // Index of the edge between two nodes, in whichever order; none if they have no triangle in common.
     std::optional<std::size_t> find(int a, int b) const;
-    /// The neighbour of a triangle across the edge opposite to a corner; none at the border, and where more than two
-    /// triangles meet.
+    // The neighbour of a triangle across the edge opposite to a corner; none at the border, and where more than two
+    // triangles meet.
     const EdgeTriangle* across(std::size_t triangle, std::size_t apex) const;
 
   private:
@@ -47,11 +47,11 @@ class MeshEdges {
     std::vector<std::array<std::size_t, 3>> edgeOpposite_;  // to each corner of each triangle
 };
 
-/// Indices of the triangles at each node, in ascending order.
+// Indices of the triangles at each node, in ascending order.
 CompressedRows<std::size_t> trianglesAround(const std::vector<std::array<int, 3>>& triangles,
                                             std::size_t nodes);
 
-/// Adds a third of what a triangle has to what each of its nodes has.
+// Adds a third of what a triangle has to what each of its nodes has.
 template <typename Amount>
 void addThirds(const std::array<int, 3>& triangle, Amount ofTriangle, std::vector<Amount>& ofNodes) {
     for (const int node : triangle) ofNodes[static_cast<std::size_t>(node)] += ofTriangle / 3;

@@ -12,11 +12,11 @@ namespace drench {
 
 namespace {
 
-/// How much the compromise leans towards the weights that balance. Between 0.2 and 0.6 cantilevers and plates
-/// on irregular meshes bend right within some percent: below they are too soft, above too stiff.
+// How much the compromise leans towards the weights that balance. Between 0.2 and 0.6 cantilevers and plates
+// on irregular meshes bend right within some percent: below they are too soft, above too stiff.
 constexpr double leaning = 0.4;
 
-/// A triangle as seen from one of its edges.
+// A triangle as seen from one of its edges.
 struct TriangleEdge {
     std::size_t triangle;
     std::size_t apex, from, to;  // corners; the edge runs from its lower node to its higher
@@ -35,19 +35,19 @@ TriangleEdge edgeOf(const ClothMesh& mesh, std::size_t triangle, std::size_t ape
     return edge;
 }
 
-/// Symmetric tensors as vectors of the same length.
+// Symmetric tensors as vectors of the same length.
 Eigen::Vector3d square(const Eigen::Vector2d& v) {
     return {v.x() * v.x(), v.y() * v.y(), std::sqrt(2.0) * v.x() * v.y()};
 }
 
-/// What the jumps of the slope tell of a triangle's curvature.
+// What the jumps of the slope tell of a triangle's curvature.
 struct Jumps {
-    /// Row per edge: length of the edge x jump of the slope across it, as weights of the six nodes.
+    // Row per edge: length of the edge x jump of the slope across it, as weights of the six nodes.
     Eigen::Matrix<double, 3, 6> ofNodes = Eigen::Matrix<double, 3, 6>::Zero();
-    Eigen::Matrix3d ofCurvature = Eigen::Matrix3d::Zero();  ///< the same for an even curvature, m2
-    Eigen::Matrix3d balanced = Eigen::Matrix3d::Zero();  ///< the weights of Onate and Zarate, column per edge
-    Eigen::Matrix3d told = Eigen::Matrix3d::Identity();  ///< takes off curvature across free edges
-    int edges = 0;                                       ///< that have a neighbour
+    Eigen::Matrix3d ofCurvature = Eigen::Matrix3d::Zero();  // the same for an even curvature, m2
+    Eigen::Matrix3d balanced = Eigen::Matrix3d::Zero();  // the weights of Onate and Zarate, column per edge
+    Eigen::Matrix3d told = Eigen::Matrix3d::Identity();  // takes off curvature across free edges
+    int edges = 0;                                       // that have a neighbour
 };
 
 Jumps jumpsOf(const ClothMesh& mesh, const MeshEdges& edges, std::size_t triangle, PlateElement& element) {
@@ -89,8 +89,8 @@ Jumps jumpsOf(const ClothMesh& mesh, const MeshEdges& edges, std::size_t triangl
     return jumps;
 }
 
-/// Curvature for each jump, column per edge: of all weights W those for which |W ofCurvature - 1|^2 +
-/// leaning |W - balanced|^2 is least, each jump in units of what an even curvature makes of it.
+// Curvature for each jump, column per edge: of all weights W those for which |W ofCurvature - 1|^2 +
+// leaning |W - balanced|^2 is least, each jump in units of what an even curvature makes of it.
 Eigen::Matrix3d compromise(const Jumps& jumps) {
     Eigen::Vector3d unit = jumps.ofCurvature.rowwise().norm();
     for (double& norm : unit)
@@ -103,8 +103,8 @@ Eigen::Matrix3d compromise(const Jumps& jumps) {
     return jumps.told * weights * unit.cwiseInverse().asDiagonal();
 }
 
-/// Where a far corner is also another node of the element, as around a node of three triangles, one takes the
-/// weights of both.
+// Where a far corner is also another node of the element, as around a node of three triangles, one takes the
+// weights of both.
 void mergeNodes(PlateElement& element) {
     for (std::size_t far = 3; far < 6; ++far) {
         if (element.nodes[far] < 0) continue;

@@ -75,7 +75,7 @@ void checkTexture(const TriangleMesh& mesh) {
                        " are not finite; give finite numbers");
 }
 
-/// A triangle laid flat, its first edge along x.
+// A triangle laid flat, its first edge along x.
 std::array<Eigen::Vector2d, 3> flat(const std::array<Eigen::Vector3d, 3>& corners) {
     const Eigen::Vector3d along = (corners[1] - corners[0]).normalized(), edge = corners[2] - corners[0];
     const double foot = edge.dot(along);
@@ -83,7 +83,7 @@ std::array<Eigen::Vector2d, 3> flat(const std::array<Eigen::Vector3d, 3>& corner
             Eigen::Vector2d(foot, (edge - foot * along).norm())};
 }
 
-/// Of a triangle's edges from its first corner, as columns.
+// Of a triangle's edges from its first corner, as columns.
 Eigen::Matrix2d edgesOf(const std::array<Eigen::Vector2d, 3>& corners) {
     Eigen::Matrix2d edges;
     edges << corners[1] - corners[0], corners[2] - corners[0];

@@ -24,7 +24,7 @@ std::vector<float> flat(const std::vector<Eigen::Vector3f>& vectors) {
     return numbers;
 }
 
-/// Bytes of the weights of so many frames.
+// Bytes of the weights of so many frames.
 std::size_t weightBytes(std::size_t frames) {
     return frames * frames * sizeof(float);
 }
@@ -86,7 +86,7 @@ struct Animation::Recording {
         return floats * sizeof(float) + weightBytes(run.times.size());
     }
 
-    /// The time of a frame, from the first on.
+    // The time of a frame, from the first on.
     double checkedTime(double time) const {
         if (!std::isfinite(time)) refuse("animation: a frame's time is ", time, "; give seconds");
         if (run.times.empty()) return 0;

@@ -9,17 +9,17 @@ namespace drench::files {
 
 namespace {
 
-/// A unit in which values may be written: value x factor / divisor is in the SI unit. Two numbers, so that decimal
-/// fractions such as 102 g/m2 come out as the nearest double.
+// A unit in which values may be written: value x factor / divisor is in the SI unit. Two numbers, so that decimal
+// fractions such as 102 g/m2 come out as the nearest double.
 struct Unit {
     const char* name;
     double factor, divisor;
 };
 
-/// Units of the same kind, the SI unit first.
+// Units of the same kind, the SI unit first.
 using Kind = std::vector<Unit>;
 
-/// Gram-force is 9.80665e-3 N, an ounce 28.349523125 g, a yard 0.9144 m (exact, by definition).
+// Gram-force is 9.80665e-3 N, an ounce 28.349523125 g, a yard 0.9144 m (exact, by definition).
 const std::vector<Kind>& kinds() {
     constexpr double ounceOverSquareYard = 0.028349523125, squareYard = 0.83612736;
     static const std::vector<Kind> all = {

@@ -15,7 +15,7 @@ using files::FieldReader;
 
 constexpr files::JsonLimits limits{1u << 20, 8, 10'000};
 
-/// The fabric that the values of a file change; none if all of them must be there.
+// The fabric that the values of a file change; none if all of them must be there.
 bool readBase(FieldReader& fields, Fabric& fabric) {
     files::Names<std::string> presets;
     for (const std::string& preset : fabrics::names()) presets.emplace_back(preset, preset);
@@ -40,7 +40,7 @@ void readParameters(FieldReader& fields, Fabric& fabric, bool hasBase) {
     }
 }
 
-/// @throws std::invalid_argument that says what is wrong
+// @throws std::invalid_argument that says what is wrong
 Fabric parsed(std::string_view text) {
     const nlohmann::json json = files::parseJson(text, limits);
     FieldReader fields(json, "");

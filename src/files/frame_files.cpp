@@ -16,7 +16,7 @@ void check(const std::vector<ClothFrame>& sheets) {
     for (const ClothFrame& sheet : sheets) validate(sheet);
 }
 
-/// Enough digits for single precision to come back as it was, and a point whatever the user's language.
+// Enough digits for single precision to come back as it was, and a point whatever the user's language.
 std::ostringstream plainText() {
     std::ostringstream text;
     text.imbue(std::locale::classic());

@@ -14,31 +14,31 @@
 
 namespace drench::files {
 
-/// From the least to the greatest value that a number may have.
+// From the least to the greatest value that a number may have.
 struct Range {
     double min, max;
 };
 
-/// Names for the values of an enumeration.
+// Names for the values of an enumeration.
 template <typename Value>
 using Names = std::vector<std::pair<std::string, Value>>;
 
-/// An object, read key by key: what is not there leaves its value as it is. Every call throws
-/// std::invalid_argument that names the key by its path, says what is wrong with its value and what may be given.
+// An object, read key by key: what is not there leaves its value as it is. Every call throws
+// std::invalid_argument that names the key by its path, says what is wrong with its value and what may be given.
 class FieldReader {
   public:
     static constexpr bool reads = true;
 
-    /// @param path  of the object; empty for the whole file
+    // @param path  of the object; empty for the whole file
     FieldReader(const nlohmann::json& object, std::string path);
 
     void number(const std::string& key, double& value, const Range& range);
     void integer(const std::string& key, int& value, int min, int max);
     void boolean(const std::string& key, bool& value);
     void string(const std::string& key, std::string& value);
-    /// Letters, digits, blanks, - and _, so that it may be part of a file's name or a column's.
+    // Letters, digits, blanks, - and _, so that it may be part of a file's name or a column's.
     void name(const std::string& key, std::string& value);
-    /// A list of so many numbers; `least` is how long the vector must be.
+    // A list of so many numbers; `least` is how long the vector must be.
     template <int Size>
     void vector(const std::string& key, Eigen::Matrix<double, Size, 1>& value, const Range& range,
                 double minLength = 0);
@@ -46,25 +46,25 @@ class FieldReader {
     void vectors(const std::string& key, std::vector<Eigen::Vector3d>& values, const Range& range);
     template <typename Value>
     void choice(const std::string& key, Value& value, const Names<Value>& names);
-    /// Hands the fields of an object to a function, if it is there.
+    // Hands the fields of an object to a function, if it is there.
     template <typename Function>
     bool object(const std::string& key, Function function);
-    /// A list of at most 1000 objects, each handed to a function.
+    // A list of at most 1000 objects, each handed to a function.
     template <typename Entry, typename Function>
     void list(const std::string& key, std::vector<Entry>& entries, Function function);
 
-    /// The value of a key in whatever form; null if it is not there.
+    // The value of a key in whatever form; null if it is not there.
     const nlohmann::json* any(const std::string& key);
     std::string pathOf(const std::string& key) const;
     template <typename... Parts>
     [[noreturn]] void refuse(const std::string& key, const Parts&... why) const {
         throw std::invalid_argument(textOf(pathOf(key), ' ', why...));
     }
-    /// Refuses keys that nobody has asked for.
+    // Refuses keys that nobody has asked for.
     void finish() const;
 
   private:
-    /// The number at a place in a list.
+    // The number at a place in a list.
     double numberAt(const nlohmann::json& list, std::size_t index, const std::string& key,
                     const Range& range) const;
     [[noreturn]] void refuseUnknown(const std::string& key) const;
@@ -75,7 +75,7 @@ class FieldReader {
     std::set<std::string> known_;
 };
 
-/// The same calls write an object.
+// The same calls write an object.
 class FieldWriter {
   public:
     static constexpr bool reads = false;
@@ -121,7 +121,7 @@ class FieldWriter {
     nlohmann::ordered_json object_ = nlohmann::ordered_json::object();
 };
 
-/// "1.5", or what kind of thing it is.
+// "1.5", or what kind of thing it is.
 std::string shown(const nlohmann::json& value);
 
 template <int Size>

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Watches over a text while it is read, value by value.
+// Watches over a text while it is read, value by value.
 class Watch {
   public:
     explicit Watch(const JsonLimits& limits) : limits_(limits) {}
@@ -80,7 +80,7 @@ std::string shortened(const std::string& text) {
     return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
-/// What a parser says behind its own name and place.
+// What a parser says behind its own name and place.
 std::string reason(const std::string& message) {
     std::size_t from = message.find("] ");
     from = from == std::string::npos ? 0 : from + 2;

@@ -7,7 +7,7 @@
 
 namespace drench {
 
-/// What tells foreign snapshots; see Snapshot.
+// What tells foreign snapshots; see Snapshot.
 struct SnapshotHead {
     int precision;
     std::uint64_t nodes, links, faces, topology;

@@ -14,9 +14,9 @@
 
 namespace drench {
 
-/// One pass over a state. A class that has one names its members, one after the other, in a function
-/// `state(StatePass&)`, a friend of this; the kind of pass says what becomes of them. A saved state is first checked
-/// as a whole, which changes nothing, and then restored, which nothing can stop any more.
+// One pass over a state. A class that has one names its members, one after the other, in a function
+// `state(StatePass&)`, a friend of this; the kind of pass says what becomes of them. A saved state is first checked
+// as a whole, which changes nothing, and then restored, which nothing can stop any more.
 class StatePass {
   public:
     enum class Kind { save, check, restore };
@@ -32,8 +32,8 @@ class StatePass {
         part.state(*this);
     }
 
-    /// What is being saved, or was.
-    /// @throws std::runtime_error for a saved value that is not within the limits
+    // What is being saved, or was.
+    // @throws std::runtime_error for a saved value that is not within the limits
     template <typename Number>
     Number value(Number now, double min = -unlimited, double max = unlimited) {
         if (saves()) {
@@ -49,7 +49,7 @@ class StatePass {
         writer_->write(now);
         return now;
     }
-    /// The same for a member, which it restores.
+    // The same for a member, which it restores.
     template <typename Number>
     void number(Number& member, double min = -unlimited, double max = unlimited) {
         const Number passed = value(member, min, max);
@@ -60,7 +60,7 @@ class StatePass {
         std::string passed = value(member);
         if (restores()) member = std::move(passed);
     }
-    /// An index or a size, in 8 bytes on every machine.
+    // An index or a size, in 8 bytes on every machine.
     void index(std::size_t& member, std::size_t max) {
         const auto passed = value(static_cast<std::uint64_t>(member), 0, double(max));
         if (restores()) member = static_cast<std::size_t>(passed);
@@ -69,12 +69,12 @@ class StatePass {
         constexpr double farthest = 1e15;
         for (double& component : member) number(component, -farthest, farthest);
     }
-    /// As many as there are now.
+    // As many as there are now.
     template <typename Number>
     void numbers(std::vector<Number>& values, double min = -unlimited, double max = unlimited) {
         for (Number& value : values) number(value, min, max);
     }
-    /// How many things follow. @param now  how many there are  @param most  may be
+    // How many things follow. @param now  how many there are  @param most  may be
     std::size_t count(std::size_t now, std::size_t max = std::numeric_limits<std::size_t>::max()) {
         if (saves()) {
             writer_->write(static_cast<std::uint64_t>(now));
@@ -84,7 +84,7 @@ class StatePass {
         if (read > max) refuseSaved(read, std::size_t{0}, max);
         return static_cast<std::size_t>(read);
     }
-    /// As many as there were. @param each  names the members of an item
+    // As many as there were. @param each  names the members of an item
     template <typename Item, typename Each>
     void list(std::vector<Item>& items, Each each,
               std::size_t max = std::numeric_limits<std::size_t>::max()) {

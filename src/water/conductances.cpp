@@ -12,7 +12,7 @@ namespace drench {
 
 namespace {
 
-/// Side 3 t + c of triangle t runs from its corner c to the next.
+// Side 3 t + c of triangle t runs from its corner c to the next.
 using HalfEdge = int;
 constexpr HalfEdge none = -1;
 
@@ -23,12 +23,12 @@ HalfEdge previousHalfEdge(HalfEdge halfEdge) {
     return halfEdge % 3 == 0 ? halfEdge + 2 : halfEdge - 1;
 }
 
-/// The half-edge opposite to a corner; a reversed triangle has its corners in the order 0, 2, 1.
+// The half-edge opposite to a corner; a reversed triangle has its corners in the order 0, 2, 1.
 HalfEdge sideOpposite(const EdgeTriangle& at, bool isReversed) {
     return static_cast<HalfEdge>(3 * at.triangle + (isReversed ? 4 - at.apex : at.apex + 1) % 3);
 }
 
-/// Triangles known by the lengths of their half-edges alone, which may be cut anew within the surface.
+// Triangles known by the lengths of their half-edges alone, which may be cut anew within the surface.
 class IntrinsicTriangles {
   public:
     IntrinsicTriangles(const ClothMesh& mesh, double scaleWarp, double scaleWeft) {
@@ -42,7 +42,7 @@ class IntrinsicTriangles {
         if (turnAlike(reversed)) cutAndJoin();
     }
 
-    /// Flips half-edges until none has angles opposite to it of more than 180 degrees together.
+    // Flips half-edges until none has angles opposite to it of more than 180 degrees together.
     void makeDelaunay() {
         std::deque<HalfEdge> open;
         for (HalfEdge halfEdge = 0; halfEdge < halfEdges(); ++halfEdge) open.push_back(halfEdge);
@@ -63,7 +63,7 @@ class IntrinsicTriangles {
     int from(HalfEdge halfEdge) const { return from_[static_cast<std::size_t>(halfEdge)]; }
     double restLength(HalfEdge halfEdge) const { return restLength_[static_cast<std::size_t>(halfEdge)]; }
 
-    /// Cotangent of the angle opposite to a half-edge.
+    // Cotangent of the angle opposite to a half-edge.
     double cotangent(HalfEdge halfEdge) const {
         const double a = length(halfEdge), b = length(nextHalfEdge(halfEdge)),
                      c = length(previousHalfEdge(halfEdge));
@@ -75,7 +75,7 @@ class IntrinsicTriangles {
     HalfEdge partner(HalfEdge halfEdge) const { return partner_[static_cast<std::size_t>(halfEdge)]; }
     HalfEdge twin(HalfEdge halfEdge) const { return twin_[static_cast<std::size_t>(halfEdge)]; }
 
-    /// Heron's formula in Kahan's order, which needles do not spoil.
+    // Heron's formula in Kahan's order, which needles do not spoil.
     static double areaOf(double a, double b, double c) {
         if (a < b) std::swap(a, b);
         if (b < c) std::swap(b, c);
@@ -101,8 +101,8 @@ class IntrinsicTriangles {
         }
     }
 
-    /// Finds the triangles to reverse so that neighbours go round in the same sense, which flipping needs; a
-    /// mesh may have them mixed. @return whether there are any
+    // Finds the triangles to reverse so that neighbours go round in the same sense, which flipping needs; a
+    // mesh may have them mixed. @return whether there are any
     bool turnAlike(std::vector<char>& reversed) const {
         std::vector<char> seen(reversed.size(), 0);
         std::vector<std::size_t> open;
@@ -130,7 +130,7 @@ class IntrinsicTriangles {
         return any;
     }
 
-    /// Pairs half-edges along each other, where there are two to an edge.
+    // Pairs half-edges along each other, where there are two to an edge.
     void joinAlong(const MeshEdges& edges, const std::vector<char>& reversed) {
         partner_.assign(from_.size(), none);
         twin_.assign(from_.size(), none);
@@ -158,8 +158,8 @@ class IntrinsicTriangles {
         join(halfEdge, itsTwin);
     }
 
-    /// Length of the other diagonal of two triangles laid side by side: `shared` the half-edge between them, from its start
-    /// the two half-edges `upper` and `lower`, which meet `upperEnd` and `lowerEnd` at its end.
+    // Length of the other diagonal of two triangles laid side by side: `shared` the half-edge between them, from its start
+    // the two half-edges `upper` and `lower`, which meet `upperEnd` and `lowerEnd` at its end.
     static double otherDiagonal(double shared, double upper, double upperEnd, double lower, double lowerEnd) {
         const auto apex = [shared](double start, double end) {
             const double x = (start * start - end * end + shared * shared) / (2 * shared);
@@ -170,7 +170,7 @@ class IntrinsicTriangles {
         return std::hypot(x1 - x2, y1 + y2);
     }
 
-    /// Whether there are two different triangles at a half-edge, joined nowhere else.
+    // Whether there are two different triangles at a half-edge, joined nowhere else.
     bool flippable(HalfEdge halfEdge) const {
         const HalfEdge other = twin(halfEdge);
         if (other == none || other / 3 == halfEdge / 3) return false;
@@ -181,7 +181,7 @@ class IntrinsicTriangles {
         return true;
     }
 
-    /// Replaces the half-edge between two triangles by the other diagonal of their quadrilateral.
+    // Replaces the half-edge between two triangles by the other diagonal of their quadrilateral.
     void flip(HalfEdge halfEdge) {
         const HalfEdge other = twin(halfEdge);
         // Triangles (a, b, c) and (b, a, d) become (d, c, a) and (c, d, b).

@@ -9,31 +9,31 @@
 
 namespace drench {
 
-/// Edges as runs of neighbours: edge k of a run joins the nodes a + k and b + k. A grid falls into a few long
-/// runs, which are walked several edges at a time. What fits in no run, on an irregular mesh nearly
-/// everything, is walked one by one.
-///
-/// An edge that the sheet's motion has stretched beyond 1.25 times its rest length counts as no steeper than
-/// that, which keeps explicit steps stable on a sheet that is torn or blown up.
+// Edges as runs of neighbours: edge k of a run joins the nodes a + k and b + k. A grid falls into a few long
+// runs, which are walked several edges at a time. What fits in no run, on an irregular mesh nearly
+// everything, is walked one by one.
+//
+// An edge that the sheet's motion has stretched beyond 1.25 times its rest length counts as no steeper than
+// that, which keeps explicit steps stable on a sheet that is torn or blown up.
 class EdgeRuns {
   public:
     static constexpr double allowedStretch = 1.25;
 
-    /// @param edges  by (b - a, a)
+    // @param edges  by (b - a, a)
     explicit EdgeRuns(const std::vector<Edge>& edges);
 
     bool empty() const { return conductance_.empty(); }
 
-    /// Moves mass along every edge: what `flux(a, b, conductance, steepest)` says, kg from node a to node b,
-    /// leaves the one and enters the other; `steepest` is by how much their heights may differ at most, m.
-    /// The flux must not depend on the masses that are being moved.
+    // Moves mass along every edge: what `flux(a, b, conductance, steepest)` says, kg from node a to node b,
+    // leaves the one and enters the other; `steepest` is by how much their heights may differ at most, m.
+    // The flux must not depend on the masses that are being moved.
     template <typename Flux>
     void move(double* mass, const Flux& flux) const;
 
-    /// All edges.
+    // All edges.
     std::vector<Edge> edges() const;
 
-    /// Memory for all edges.
+    // Memory for all edges.
     std::size_t bytes() const {
         return runs_.size() * sizeof(Run) + loose_.size() * sizeof(Ends) +
                2 * conductance_.size() * sizeof(float);
@@ -49,7 +49,7 @@ class EdgeRuns {
     struct Ends {
         int a, b;
     };
-    /// Long enough to pay, and short enough that what a run moves fits into the nearest cache.
+    // Long enough to pay, and short enough that what a run moves fits into the nearest cache.
     static constexpr std::size_t shortest = 8, longest = 512;
 
     std::vector<Run> runs_;

@@ -14,12 +14,12 @@ constexpr int maxSteps = 8;
 // Share of a film that may leave its node in a step, roughly; small enough for the shape of the film.
 constexpr double courantNumber = 0.5;
 
-/// rho g / (3 mu), 1/(m s): speed of the film over its thickness squared, on a vertical wall.
+// rho g / (3 mu), 1/(m s): speed of the film over its thickness squared, on a vertical wall.
 double fluidity(double gravity) {
     return waterDensity * gravity / (3 * waterViscosity);
 }
 
-/// Solves m + rate min(m, thickest)^2 m = available for the film m that is left, m.
+// Solves m + rate min(m, thickest)^2 m = available for the film m that is left, m.
 double filmLeft(double available, double rate) {
     const double fullRate = rate * thickestFilm * thickestFilm;
     if (available > thickestFilm * (1 + fullRate)) return available / (1 + fullRate);
@@ -101,8 +101,8 @@ void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gra
     }
 }
 
-/// Backward Euler, node by node from the highest down: when a node's turn comes, all that flows to it has
-/// come. One such sweep would do at any length of step; a few are more exact.
+// Backward Euler, node by node from the highest down: when a node's turn comes, all that flows to it has
+// come. One such sweep would do at any length of step; a few are more exact.
 void FilmFlow::runInSweeps(double dt, const std::vector<float>& heights, double gravity, double* filmMass) {
     std::sort(downwards_.begin(), downwards_.end(), [&](int a, int b) {
         const float one = heights[static_cast<std::size_t>(a)], other = heights[static_cast<std::size_t>(b)];

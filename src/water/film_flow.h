@@ -11,28 +11,28 @@
 
 namespace drench {
 
-/// A film on each face that runs down under gravity (Nusselt 1916): F = 2 rho (rho g / (3 mu)) d^3 c (z_i -
-/// z_j) from the higher node i to the lower j, kg/s, c the cotangent weight of the edge, d the thickness
-/// above the film that the face retains, of the higher node. No node gives more than it has, at any length of
-/// step.
+// A film on each face that runs down under gravity (Nusselt 1916): F = 2 rho (rho g / (3 mu)) d^3 c (z_i -
+// z_j) from the higher node i to the lower j, kg/s, c the cotangent weight of the edge, d the thickness
+// above the film that the face retains, of the higher node. No node gives more than it has, at any length of
+// step.
 class FilmFlow {
   public:
     explicit FilmFlow(const ClothMesh& mesh);
 
-    /// Lets the film run for `dt` seconds.
-    /// @param thickest  film on any face now, m; beyond that of the cloth it does not run faster
+    // Lets the film run for `dt` seconds.
+    // @param thickest  film on any face now, m; beyond that of the cloth it does not run faster
     void run(double dt, const std::vector<float>& heights, double gravity, double thickest,
              std::vector<double>& filmMass);
 
-    /// Lets go the drops that the film cannot hold. A node with no lower neighbour keeps what hangs there
-    /// until it makes a drop; any other node lets go what is over the thickest film, once that makes a drop.
-    /// @param openAreas  of the nodes, m2; none falls from a node that is covered whole
-    /// @param lying      whether a node lies on something; none falls from there either
+    // Lets go the drops that the film cannot hold. A node with no lower neighbour keeps what hangs there
+    // until it makes a drop; any other node lets go what is over the thickest film, once that makes a drop.
+    // @param openAreas  of the nodes, m2; none falls from a node that is covered whole
+    // @param lying      whether a node lies on something; none falls from there either
     void drip(const std::vector<float>& heights, const std::vector<float>& openAreas,
               const std::vector<char>& lying, std::vector<double>& filmMass,
               std::vector<Moisture::Shed>& shed);
 
-    /// Memory for all nodes and edges, bytes.
+    // Memory for all nodes and edges, bytes.
     std::size_t bytes() const;
 
   private:

@@ -13,7 +13,7 @@ constexpr int maxIterations = 40;
 constexpr double tolerance = 1e-12;  // of a node's capacity
 constexpr int maxPieces = 4096;      // that a step is cut into
 
-/// Index of an entry within the values of a matrix.
+// Index of an entry within the values of a matrix.
 int indexOf(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix, int row, int column) {
     const int* begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row];
     const int* end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[row + 1];
@@ -105,7 +105,7 @@ void ImplicitWicking::findFluxes() {
     for (std::size_t e = 0; e < edges_.size(); ++e) fluxes_[e] = flux(edges_[e]);
 }
 
-/// Fills residual and matrix. @return the largest residual, as a share of its node's capacity
+// Fills residual and matrix. @return the largest residual, as a share of its node's capacity
 double ImplicitWicking::assemble(double dt, const std::vector<double>& poreMass) {
     double* values = matrix_.valuePtr();
     std::fill(values, values + matrix_.nonZeros(), 0.0);
@@ -131,8 +131,8 @@ double ImplicitWicking::assemble(double dt, const std::vector<double>& poreMass)
     return largest;
 }
 
-/// Moves what the fluxes carry, rather than taking the solved saturations, which are right to rounding only:
-/// so no water is made or lost but where rounding left a store a hair below zero.
+// Moves what the fluxes carry, rather than taking the solved saturations, which are right to rounding only:
+// so no water is made or lost but where rounding left a store a hair below zero.
 void ImplicitWicking::applyFluxes(double dt, std::vector<double>& poreMass) const {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
         poreMass[static_cast<std::size_t>(edges_[e].a)] -= dt * fluxes_[e].value;

@@ -10,26 +10,26 @@
 
 namespace drench {
 
-/// The same fluxes as `Wicking`, taken at the end of the step (backward Euler): stable at any length.
-/// Newton's method with a sparse linear solve; a step that it does not solve is halved.
+// The same fluxes as `Wicking`, taken at the end of the step (backward Euler): stable at any length.
+// Newton's method with a sparse linear solve; a step that it does not solve is halved.
 class ImplicitWicking {
   public:
-    /// @param fluxScale   rho h / mu
-    /// @param capacities  of the nodes' pores, kg
+    // @param fluxScale   rho h / mu
+    // @param capacities  of the nodes' pores, kg
     ImplicitWicking(const BrooksCorey& curve, double fluxScale, const std::vector<Edge>& edges,
                     const std::vector<double>& capacities);
 
-    /// @param weight      rho g, Pa/m
-    /// @param lowerFraction  of the lower node in the permeability to gravity
+    // @param weight      rho g, Pa/m
+    // @param lowerFraction  of the lower node in the permeability to gravity
     void step(double dt, const std::vector<float>& heights, double weight, double lowerFraction,
               std::vector<double>& poreMass);
 
   private:
-    /// Flux along an edge and how it changes with the saturations of its ends, kg/s.
+    // Flux along an edge and how it changes with the saturations of its ends, kg/s.
     struct Flux {
         double value, slopeA, slopeB;
     };
-    /// Where the entries of an edge are in the matrix.
+    // Where the entries of an edge are in the matrix.
     struct Entries {
         int aa, ab, ba, bb;
     };

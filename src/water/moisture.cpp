@@ -47,7 +47,7 @@ const ClothMesh& validated(const ClothMesh& mesh) {
     return mesh;
 }
 
-/// A node that is covered, or lies on something, until the next step.
+// A node that is covered, or lies on something, until the next step.
 struct Covered {
     std::size_t node = 0;
     float openArea = 0;  // m2
@@ -56,7 +56,7 @@ struct Covered {
 
 }  // namespace
 
-/// What moves the water, in the order of the step.
+// What moves the water, in the order of the step.
 struct Moisture::Parts {
     Parts(const Fabric& fabric, const ClothMesh& mesh)
         : vapour(fabric, mesh), wicking(fabric, mesh), film(mesh), level(mesh.size(), 0.0f) {}
@@ -208,7 +208,7 @@ void Moisture::step(double dt, const Surroundings& surroundings) {
     uncover();
 }
 
-/// The exponential approach to saturation.
+// The exponential approach to saturation.
 void Moisture::absorb(double dt) {
     const double fraction = -std::expm1(-dt / wettingTime_);
     const double* capacity = capacities_.data();
@@ -222,7 +222,7 @@ void Moisture::absorb(double dt) {
     }
 }
 
-/// What pores cannot hold comes out of them.
+// What pores cannot hold comes out of them.
 void Moisture::spillOver() {
     const double* capacity = capacities_.data();
     double *pore = poreMass_.data(), *film = filmMass_.data();
@@ -299,8 +299,8 @@ void Moisture::state(StatePass& pass) {
     coveredState(pass);
 }
 
-/// Sources hold the numbers of their accounts; so those that are open stay where they are, and go back to nothing where
-/// the state knows none of that name. An account in which nothing is might as well not be there.
+// Sources hold the numbers of their accounts; so those that are open stay where they are, and go back to nothing where
+// the state knows none of that name. An account in which nothing is might as well not be there.
 void Moisture::accountsState(StatePass& pass) {
     std::vector<Account> accounts;
     for (const Account& account : accounts_)

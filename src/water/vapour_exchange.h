@@ -9,24 +9,24 @@
 
 namespace drench {
 
-/// Film evaporates first, then pores, at the full rate down to the bound maximum; below it the rate falls as
-/// (a_w - RH) / (1 - RH), a_w the activity of what the fibre still binds, until the two are in balance.
+// Film evaporates first, then pores, at the full rate down to the bound maximum; below it the rate falls as
+// (a_w - RH) / (1 - RH), a_w the activity of what the fibre still binds, until the two are in balance.
 class VapourExchange {
   public:
     VapourExchange(const Fabric& fabric, const ClothMesh& mesh);
 
-    /// Both in kg, of the whole sheet.
+    // Both in kg, of the whole sheet.
     struct Totals {
         double evaporated = 0;
         double condensed = 0;
     };
 
-    /// @param rate       of a wet sheet, kg/(m2 s)
-    /// @param openAreas  of the nodes, m2, where air gets at them
+    // @param rate       of a wet sheet, kg/(m2 s)
+    // @param openAreas  of the nodes, m2, where air gets at them
     Totals exchange(double dt, double rate, double humidity, const std::vector<float>& openAreas,
                     std::vector<double>& poreMass, std::vector<double>& filmMass) const;
 
-    /// Memory for all nodes.
+    // Memory for all nodes.
     std::size_t bytes() const { return 2 * clothMass_.size() * sizeof(float); }
 
   private:

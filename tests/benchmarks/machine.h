@@ -8,7 +8,7 @@
 
 namespace drench::test {
 
-/// "AMD EPYC (2 cores)"; neither commas nor quotes, so that a table can hold it as it is.
+// "AMD EPYC (2 cores)"; neither commas nor quotes, so that a table can hold it as it is.
 inline std::string machine() {
     std::string model = "unknown processor", line;
     for (std::ifstream file("/proc/cpuinfo"); std::getline(file, line);)

@@ -43,10 +43,10 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// How a sheet is moved.
+// How a sheet is moved.
 enum class Mover { stockInColours, stockInMeshOrder, smallSteps };
 
-/// A cotton sheet of a square metre, held at one edge. It hangs; or it is let go level, and falls on a ball.
+// A cotton sheet of a square metre, held at one edge. It hangs; or it is let go level, and falls on a ball.
 class Hanging {
   public:
     Hanging(Mover mover, int nodes, int steps, bool withBall)
@@ -83,7 +83,7 @@ class Hanging {
         for (int i = 0; i < 400; ++i) bullet_.step(frame, 1);
     }
 
-    /// Mean difference of the links' strains from those at rest.
+    // Mean difference of the links' strains from those at rest.
     double strainError() const {
         const StaticProblem problem = atRest();
         const std::vector<Eigen::Vector3d> rest = solveStatic(problem, 1e-6);
@@ -100,7 +100,7 @@ class Hanging {
         return sum / double(problem.springs.size());
     }
 
-    /// How deep the deepest node is inside the ball, m.
+    // How deep the deepest node is inside the ball, m.
     double penetration() const {
         double deepest = 0;
         if (!ball_) return 0;
@@ -123,7 +123,7 @@ class Hanging {
         return settings;
     }
 
-    /// As Bullet's CreatePatch would have them: each node's together.
+    // As Bullet's CreatePatch would have them: each node's together.
     void putLinksInMeshOrder() {
         btSoftBody::tLinkArray links;
         links.copyFromArray(sheet_->m_links);
@@ -135,7 +135,7 @@ class Hanging {
         for (int i = 0; i < links.size(); ++i) sheet_->m_links[i] = links[order[static_cast<std::size_t>(i)]];
     }
 
-    /// The same springs, as heavy and as stiff as they are now.
+    // The same springs, as heavy and as stiff as they are now.
     StaticProblem atRest() const {
         const btSoftBody& body = *sheet_;
         StaticProblem problem;
@@ -183,7 +183,7 @@ class Hanging {
     std::unique_ptr<WetCloth> cloth_;
 };
 
-/// A line of the table; what was not measured is less than 0.
+// A line of the table; what was not measured is less than 0.
 struct Row {
     std::string name;
     int nodes;
@@ -235,7 +235,7 @@ class Table {
     std::vector<Row> rows_;
 };
 
-/// Stock, dry, and small steps, wet, in turns.
+// Stock, dry, and small steps, wet, in turns.
 void compareFrames(Table& table, int nodes, int steps, bool withBall) {
     Hanging colours(Mover::stockInColours, nodes, 0, withBall);
     Hanging meshOrder(Mover::stockInMeshOrder, nodes, 0, withBall);
@@ -278,7 +278,7 @@ void compareFrames(Table& table, int nodes, int steps, bool withBall) {
     table.add(row);
 }
 
-/// Links of a grid, structural and both diagonals, packed as the solver packs them.
+// Links of a grid, structural and both diagonals, packed as the solver packs them.
 struct PackedGrid {
     explicit PackedGrid(int side) {
         std::vector<std::array<int, 2>> links;

@@ -50,7 +50,7 @@ constexpr double wetSaturation = 0.9;  // of the upper half
 constexpr double film = 1e-4;          // m, on each face, where it runs
 constexpr int repetitions = 25;
 
-/// One row of the report.
+// One row of the report.
 struct Case {
     std::string name;
     int side;  // nodes
@@ -75,7 +75,7 @@ const std::vector<Case>& cases() {
     return all;
 }
 
-/// A vertical sheet and its water.
+// A vertical sheet and its water.
 class Sheet {
   public:
     explicit Sheet(const Case& which) : which_(which), water_(fabrics::cottonPlain(), mesh()) {
@@ -91,7 +91,7 @@ class Sheet {
     const Moisture& water() const { return water_; }
     void step() { water_.step(timeStep, surroundings_); }
 
-    /// Takes all water out and puts it where it was at first. Cheaper than a new sheet.
+    // Takes all water out and puts it where it was at first. Cheaper than a new sheet.
     void wetUpperHalf() {
         for (std::size_t n = 0; n < nodes(); ++n) {
             water_.takeFilm(n, water_.filmMass()[n]);
@@ -102,7 +102,7 @@ class Sheet {
         }
     }
 
-    /// Whether still about the same half is wet and has a film.
+    // Whether still about the same half is wet and has a film.
     bool isHalfWet() const {
         std::size_t wet = 0, filmed = 0;
         for (std::size_t n = 0; n < nodes(); ++n) {
@@ -119,8 +119,8 @@ class Sheet {
   private:
     bool isUpper(std::size_t node) const { return positions_[node].y() > 0.5 * (which_.side - 1) * spacing; }
 
-    /// Rows of nodes, as a grid is usually numbered; or, the worst case, the same nodes moved about and
-    /// numbered at random.
+    // Rows of nodes, as a grid is usually numbered; or, the worst case, the same nodes moved about and
+    // numbered at random.
     ClothMesh mesh() {
         const int side = which_.side;
         std::vector<int> number(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
@@ -158,8 +158,8 @@ class Sheet {
     Surroundings surroundings_;
 };
 
-/// Bytes per second, read and written ones both counted, of copying 64 MiB; the best of many times, as is
-/// usual (STREAM).
+// Bytes per second, read and written ones both counted, of copying 64 MiB; the best of many times, as is
+// usual (STREAM).
 double measuredCopyBandwidth() {
     constexpr std::size_t size = std::size_t(64) << 20;
     const auto from = std::make_unique<char[]>(size), to = std::make_unique<char[]>(size);
@@ -176,7 +176,7 @@ double measuredCopyBandwidth() {
     return 2.0 * double(size) / min;
 }
 
-/// What the repetitions of a case share, since a large sheet takes seconds to build.
+// What the repetitions of a case share, since a large sheet takes seconds to build.
 Sheet& sheetOf(const Case& which) {
     static const Case* last = nullptr;
     static std::unique_ptr<Sheet> sheet;
@@ -210,7 +210,7 @@ void waterStep(benchmark::State& state, const Case& which, double copyBandwidth)
     state.counters["allocations"] = double(allocated);
 }
 
-/// Shows medians as they come, and keeps them for the table.
+// Shows medians as they come, and keeps them for the table.
 class Reporter : public benchmark::ConsoleReporter {
   public:
     Reporter() : ConsoleReporter(OO_Tabular) {}
@@ -231,7 +231,7 @@ class Reporter : public benchmark::ConsoleReporter {
 
     bool failed() const { return failed_; }
 
-    /// @return whether it was written, whole; else what was there before still is
+    // @return whether it was written, whole; else what was there before still is
     bool write(const std::string& path) const {
         const std::string fresh = path + ".new";
         std::ofstream file(fresh);

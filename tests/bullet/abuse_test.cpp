@@ -20,7 +20,7 @@ void expectSound(AnyWorld& rig) {
     EXPECT_LT(test::ledgerError(rig.cloth()), 1e-12);
 }
 
-/// Memory of the process that is in use, bytes.
+// Memory of the process that is in use, bytes.
 std::size_t residentMemory() {
     std::ifstream file("/proc/self/statm");
     std::size_t all = 0, resident = 0;
@@ -296,7 +296,7 @@ TEST(Abuse, RandomActsInRandomOrder) {
         }
 }
 
-/// What an application's callback works on.
+// What an application's callback works on.
 struct Comings {
     AnyWorld* rig;
     std::unique_ptr<btSoftBody> body;

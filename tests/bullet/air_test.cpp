@@ -11,7 +11,7 @@ namespace {
 
 using test::FreeSheet;
 
-/// Sum of the forces that the layer puts on the nodes for a substep.
+// Sum of the forces that the layer puts on the nodes for a substep.
 btVector3 force(FreeSheet& rig, double dt) {
     rig.cloth().preSubstep(btScalar(dt));
     btVector3 total(0, 0, 0);
@@ -95,14 +95,14 @@ TEST(Air, DragOfAFixedSheetKnowsNothingOfItsMass) {
 
 constexpr double degrees = 180 / 3.14159265358979;
 
-/// So stiff that it neither bends nor twists.
+// So stiff that it neither bends nor twists.
 Fabric board() {
     Fabric fabric = airtight();
     fabric.bending = 0.1;
     return fabric;
 }
 
-/// A panel, 0.4 m wide and 0.2 m high, of two rows of nodes: hinged along the upper one.
+// A panel, 0.4 m wide and 0.2 m high, of two rows of nodes: hinged along the upper one.
 std::unique_ptr<btSoftBody> panel(btSoftBodyWorldInfo& info) {
     auto body =
         makeSheet(info, board(), flatCorners({0, 0, 0}, {btScalar(0.4), 0, 0}, {0, btScalar(-0.2), 0}), 3, 2);
@@ -110,7 +110,7 @@ std::unique_ptr<btSoftBody> panel(btSoftBodyWorldInfo& info) {
     return body;
 }
 
-/// Of the mean place of nodes under the axis x = y = 0, in the mean over two seconds, from the vertical.
+// Of the mean place of nodes under the axis x = y = 0, in the mean over two seconds, from the vertical.
 double meanDeflection(test::SmallStepWorld& rig, const btSoftBody& body) {
     btVector3 sum(0, 0, 0);
     for (int i = 0; i < 120; ++i) {
@@ -120,7 +120,7 @@ double meanDeflection(test::SmallStepWorld& rig, const btSoftBody& body) {
     return degrees * std::atan2(double(sum.z()), -double(sum.y()));
 }
 
-/// Where weight and wind turn it equally, rho_A g sin = 1/2 rho C_n U^2 cos^2; shear pulls through the hinge.
+// Where weight and wind turn it equally, rho_A g sin = 1/2 rho C_n U^2 cos^2; shear pulls through the hinge.
 double deflectionOfAHingedPanel(double massPerArea, double speed) {
     double low = 0, high = 90 / degrees;
     for (int halving = 0; halving < 50; ++halving) {

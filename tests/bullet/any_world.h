@@ -13,7 +13,7 @@
 
 namespace drench::test {
 
-/// What moves the sheet.
+// What moves the sheet.
 enum class Mover { smallSteps, stock, deformable };
 
 inline const char* nameOf(Mover mover) {
@@ -22,7 +22,7 @@ inline const char* nameOf(Mover mover) {
 
 constexpr Mover movers[] = {Mover::smallSteps, Mover::stock, Mover::deformable};
 
-/// A sheet of 9 x 9 nodes, half a metre square, hung from its upper edge, and its WetCloth.
+// A sheet of 9 x 9 nodes, half a metre square, hung from its upper edge, and its WetCloth.
 class AnyWorld {
   public:
     explicit AnyWorld(Mover mover, const SheetSettings& settings = {}, int nodesASide = 9,
@@ -56,7 +56,7 @@ class AnyWorld {
     std::unique_ptr<WetCloth>& clothOwner() { return cloth_; }
 
     double substep() const { return mover_ == Mover::smallSteps ? 1.0 / 60 : 1.0 / 240; }
-    /// Runs for so many substeps of the length that suits the mover.
+    // Runs for so many substeps of the length that suits the mover.
     void run(int substeps) {
         constexpr int variableStep = 0;
         for (int i = 0; i < substeps; ++i) world().stepSimulation(btScalar(substep()), variableStep);
@@ -71,14 +71,14 @@ class AnyWorld {
     std::unique_ptr<WetCloth> cloth_;
 };
 
-/// How far the ledger is from closing, over what was supplied, 1.
+// How far the ledger is from closing, over what was supplied, 1.
 inline double ledgerError(const WetCloth& cloth) {
     const Ledger ledger = cloth.ledger();
     const double out = ledger.held + ledger.dripped + ledger.evaporated + ledger.returned;
     return std::abs(ledger.supplied - out) / std::max(ledger.supplied, 1e-9);
 }
 
-/// The report of a kind of trouble; fails the test if there is none.
+// The report of a kind of trouble; fails the test if there is none.
 inline TroubleReport reportOf(const WetCloth& cloth, Trouble what) {
     for (const TroubleReport& report : cloth.troubles())
         if (report.what == what) return report;

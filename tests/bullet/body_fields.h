@@ -7,7 +7,7 @@
 
 namespace drench::test {
 
-/// Inverse masses, links in their order, aero model and collision flags: equal ones are equal bit for bit.
+// Inverse masses, links in their order, aero model and collision flags: equal ones are equal bit for bit.
 inline std::vector<double> changedFields(const btSoftBody& body) {
     std::vector<double> fields = {double(body.m_cfg.kDG), double(body.m_cfg.kLF),
                                   double(body.m_cfg.collisions)};

@@ -13,16 +13,16 @@ namespace {
 constexpr double gravity = 9.81;
 constexpr double degree = 3.14159265358979 / 180;
 
-/// A beam that is clamped level at one end and bends under its own weight: inextensible, of any law of bending,
-/// in steps from its free end, where there is no moment.
+// A beam that is clamped level at one end and bends under its own weight: inextensible, of any law of bending,
+// in steps from its free end, where there is no moment.
 class Elastica {
   public:
-    /// Curvature, 1/m, under a moment per width, N, at a place counted from the free end.
+    // Curvature, 1/m, under a moment per width, N, at a place counted from the free end.
     using Law = std::function<double(int point, double moment)>;
 
     Elastica(double length, Law law) : step_(length / points), law_(std::move(law)), moments_(points) {}
 
-    /// Drop of the tip as an angle, seen from the clamp, rad.
+    // Drop of the tip as an angle, seen from the clamp, rad.
     double tipAngle(double weight) {
         // The steeper the tip, the steeper the other end: the one for which the clamp is level.
         double low = 0, high = 90 * degree;
@@ -38,7 +38,7 @@ class Elastica {
     static constexpr int points = 400;
 
   private:
-    /// Integrates M' = w t cos(slope), slope' = -curvature(M) from the tip, by the midpoint rule.
+    // Integrates M' = w t cos(slope), slope' = -curvature(M) from the tip, by the midpoint rule.
     double slopeAtClamp(double tip, double weight) {
         double slope = tip, moment = 0;
         reach_ = drop_ = 0;
@@ -62,12 +62,12 @@ class Elastica {
     double reach_ = 0, drop_ = 0;
 };
 
-/// Angle under which the tip of an overhang of `length` bending lengths hangs.
+// Angle under which the tip of an overhang of `length` bending lengths hangs.
 double elasticTipAngle(double length) {
     return Elastica(length, [](int, double moment) { return moment; }).tipAngle(1);
 }
 
-/// The bending length of cloth of which an overhang of `length` hangs under `angle`.
+// The bending length of cloth of which an overhang of `length` hangs under `angle`.
 double bendingLength(double length, double angle) {
     double low = length / 6, high = length * 3;
     for (int i = 0; i < 50; ++i) {
@@ -89,12 +89,12 @@ int nodeAt(Direction along, int column, int row) {
     return along == Direction::warp ? column + columns * row : row + rows * column;
 }
 
-/// Two held columns hold the cloth level half-way between them.
+// Two held columns hold the cloth level half-way between them.
 double cellOf(double overhang) {
     return overhang / (freeColumns + 0.5);
 }
 
-/// A strip in a world, its first two columns held level.
+// A strip in a world, its first two columns held level.
 class Strip {
   public:
     Strip(const Fabric& fabric, double overhang, Direction along, int steps = 100)
@@ -177,8 +177,8 @@ TEST(Cantilever, SoakedClothBendsOverAShorterLength) {
     }
 }
 
-/// Cloth with friction beside its rigidity, bent at each place as its history has left it: the friction holds
-/// twice as stiff as the cloth bends until it slides.
+// Cloth with friction beside its rigidity, bent at each place as its history has left it: the friction holds
+// twice as stiff as the cloth bends until it slides.
 class FrictionalElastica {
   public:
     FrictionalElastica(double length, double bending, double friction)
@@ -187,7 +187,7 @@ class FrictionalElastica {
           slid_(Elastica::points, 0.0),
           elastica_(length, [this](int point, double moment) { return curvature(point, moment); }) {}
 
-    /// Lets the weight per area go there slowly.
+    // Lets the weight per area go there slowly.
     double tipAngleAt(double weight) {
         constexpr int steps = 60;
         const double from = weight_;
@@ -221,7 +221,7 @@ class FrictionalElastica {
     Elastica elastica_;
 };
 
-/// Tip angles on the way down, and on the way back from four times the weight.
+// Tip angles on the way down, and on the way back from four times the weight.
 struct Loop {
     double down, back;
 };

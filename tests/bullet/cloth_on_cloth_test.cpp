@@ -23,7 +23,7 @@ std::unique_ptr<demo::SceneWorld> worldFor(Path path) {
     return world;
 }
 
-/// Two level sheets above each other in a world of their own, in air that moves along with them.
+// Two level sheets above each other in a world of their own, in air that moves along with them.
 class TwoSheets {
   public:
     TwoSheets(Path path, const Fabric& fabric, double spacing, int nodesAbove, int nodesBelow)
@@ -57,7 +57,7 @@ class TwoSheets {
         for (int n = 0; n < sheet.m_nodes.size(); ++n) sheet.m_nodes[n].m_im = 0;
     }
 
-    /// Has both meet, with water that neither dries nor runs.
+    // Has both meet, with water that neither dries nor runs.
     void begin(double saturationAbove, double saturationBelow) {
         SheetSettings settings;
         settings.waterSpeed = 0;
@@ -90,7 +90,7 @@ class TwoSheets {
         }
     }
 
-    /// Takes a sheet out of the world and deletes it.
+    // Takes a sheet out of the world and deletes it.
     void remove(std::size_t index) {
         if (!sheets_[index]) return;
         cloths_[index].reset();
@@ -110,8 +110,8 @@ class TwoSheets {
 
 class ClothOnCloth : public testing::TestWithParam<Path> {};
 
-/// How far a piece of cloth under another one like it, which is held everywhere, has come down after 0.4 s, m.
-/// Their nodes face each other, so that bonds and weights go together at the borders too.
+// How far a piece of cloth under another one like it, which is held everywhere, has come down after 0.4 s, m.
+// Their nodes face each other, so that bonds and weights go together at the borders too.
 double fall(Path path, double clingOverWeight, double saturationAbove, double saturationBelow) {
     TwoSheets rig(path, test::cottonThatClings(clingOverWeight), 0.02, 6, 6);
     rig.hold(rig.upper());
@@ -170,7 +170,7 @@ TEST_P(ClothOnCloth, ASheetWhoseWetClothIsGoneHoldsNothing) {
     EXPECT_LT(double(test::centre(rig.lower()).y()), -0.5);
 }
 
-/// How much slower a sheet slides on another, which is held, after a tenth of a second, without cling, m/s.
+// How much slower a sheet slides on another, which is held, after a tenth of a second, without cling, m/s.
 double slowed(Path path, double saturation) {
     Fabric fabric = fabrics::cottonPlain();
     fabric.clingEnergy = 0;

@@ -16,7 +16,7 @@ namespace {
 constexpr double g = 9.81;
 constexpr double step = 1e-3, mass = 0.3, seconds = 0.5;
 
-/// A block on a slope, by impulses. There is no way but along the slope; the normal is z.
+// A block on a slope, by impulses. There is no way but along the slope; the normal is z.
 class Block {
   public:
     Block(double angle, double friction, double adhesion)

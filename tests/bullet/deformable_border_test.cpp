@@ -174,7 +174,7 @@ TEST_P(SeveralSheets, TwoSheetsAndOneOfAnotherKind) {
     bullet.world().removeSoftBody(plain.get());
 }
 
-/// The three things whose order of ending is free. Each ends once.
+// The three things whose order of ending is free. Each ends once.
 struct Ending {
     DeformableWorld bullet{Mode::explicitSteps};
     std::unique_ptr<btSoftBody> body =

@@ -23,7 +23,7 @@ std::unique_ptr<demo::SceneWorld> deformableWorld(Mode mode) {
     return world;
 }
 
-/// Substeps a second that the cloth's step bound asks for, or that implicit contacts do.
+// Substeps a second that the cloth's step bound asks for, or that implicit contacts do.
 int substepsFor(WetCloth& cloth, Mode mode) {
     return mode == Mode::implicitSteps ? 240 : static_cast<int>(std::ceil(1 / cloth.stepBound()));
 }

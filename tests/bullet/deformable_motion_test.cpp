@@ -80,7 +80,7 @@ TEST_P(InBothModes, WindBlowsItAway) {
     bullet.world().removeSoftBody(sheet.get());
 }
 
-/// From soaked to dry at the longest step: light as it gets, the sheet is still stable.
+// From soaked to dry at the longest step: light as it gets, the sheet is still stable.
 TEST_P(InBothModes, DriesWithoutBlowingUp) {
     DeformableWorld bullet(GetParam());
     Fabric fabric = fabrics::cottonPlain();
@@ -181,7 +181,7 @@ TEST_P(InBothModes, AWetSheetRestsOnABall) {
     bullet.world().removeSoftBody(sheet.get());
 }
 
-/// With pins, and as stiff as cotton.
+// With pins, and as stiff as cotton.
 TEST(DeformableWorld, ImplicitCurtainIsBlownAgainstABall) {
     DeformableWorld bullet(Mode::implicitSteps);
     const btVector3 centre(0, btScalar(-0.3), btScalar(0.17));

@@ -17,7 +17,7 @@ constexpr double side = 0.5;
 
 enum class Mode { explicitSteps, implicitSteps };
 
-/// A deformable world as an application would set one up, with Bullet's own gravity force.
+// A deformable world as an application would set one up, with Bullet's own gravity force.
 class DeformableWorld {
   public:
     explicit DeformableWorld(Mode mode, double gravity = 9.81) : gravity_({0, btScalar(-gravity), 0}) {
@@ -57,7 +57,7 @@ class DeformableWorld {
         constexpr int variableStep = 0;
         for (int i = 0; i < substeps; ++i) world_->stepSimulation(btScalar(time / substeps), variableStep);
     }
-    /// Forces in the solver's list that are not Bullet's.
+    // Forces in the solver's list that are not Bullet's.
     int wetForces() {
         int count = 0;
         auto& forces = *solver_.getLagrangianForceArray();
@@ -65,7 +65,7 @@ class DeformableWorld {
             count += forces[i]->getForceType() > BT_MOUSE_PICKING_FORCE ? 1 : 0;
         return count;
     }
-    /// The world ends before the rest of this.
+    // The world ends before the rest of this.
     void end() {
         if (ball_ && world_) world_->removeRigidBody(ball_.get());
         world_.reset();
@@ -83,7 +83,7 @@ class DeformableWorld {
     std::unique_ptr<btRigidBody> ball_;
 };
 
-/// Largest substep that the test takes: the bound, or a frame where there is none.
+// Largest substep that the test takes: the bound, or a frame where there is none.
 inline double longestStep(const WetCloth& cloth) {
     return std::min(cloth.stepBound(), 1.0 / 60);
 }
@@ -114,7 +114,7 @@ inline Outcome outcomeOf(const btSoftBody& sheet) {
     return outcome;
 }
 
-/// Lets a sheet with `water` times its own mass of water come to rest.
+// Lets a sheet with `water` times its own mass of water come to rest.
 inline Outcome inBullet(Mode mode, const Fabric& fabric, double water) {
     DeformableWorld bullet(mode);
     const auto sheet = hangingSheet(bullet.info(), fabric, side, nodesAlongEdge);
@@ -137,7 +137,7 @@ inline Outcome inBullet(Mode mode, const Fabric& fabric, double water) {
     return outcome;
 }
 
-/// The same sheet put together from the textile formulas alone and solved at rest in double precision.
+// The same sheet put together from the textile formulas alone and solved at rest in double precision.
 inline Outcome atRest(const Fabric& fabric, double water) {
     const auto problem =
         hangingGrid(fabric, side, nodesAlongEdge, fabric.arealDensity * (1 + water), hangsByCorners);

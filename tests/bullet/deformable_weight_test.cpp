@@ -45,7 +45,7 @@ Vectors zeros(int count) {
     return vectors;
 }
 
-/// Sheet without pins, crumpled, after a first step.
+// Sheet without pins, crumpled, after a first step.
 struct Crumpled {
     DeformableWorld bullet{Mode::implicitSteps, 0};
     std::unique_ptr<btSoftBody> sheet;

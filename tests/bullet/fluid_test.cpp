@@ -21,12 +21,12 @@ Fabric airtight() {
     return fabric;
 }
 
-/// Full pores and the film that faces retain, kg/m2.
+// Full pores and the film that faces retain, kg/m2.
 double soaking(const Fabric& fabric) {
     return fabric.poreCapacity() + 2 * waterDensity * retainedFilmThickness;
 }
 
-/// Water that soaked cloth displaces, kg/m2.
+// Water that soaked cloth displaces, kg/m2.
 double displacedBy(const Fabric& fabric) {
     return waterDensity * fabric.arealDensity / fabric.fibreDensity + soaking(fabric);
 }
@@ -100,7 +100,7 @@ TEST(Fluid, HeldClothFeelsTheWholeWindOnceItIsHeld) {
     }
 }
 
-/// The application's own water around a sheet without weight, without a time of its own.
+// The application's own water around a sheet without weight, without a time of its own.
 class Weightless {
   public:
     explicit Weightless(const Fabric& fabric) : rig(fabric) {}
@@ -203,7 +203,7 @@ TEST(Fluid, ClothLetGoUnderWaterStartsAgainstTheWaterThatGoesAlong) {
     }
 }
 
-/// Sag of a sheet of very soft cloth between two edges, m, under water or else in air.
+// Sag of a sheet of very soft cloth between two edges, m, under water or else in air.
 double sag(double strength, bool underWater) {
     SmallStepWorld rig({20, 0.01});
     Fabric fabric = fabrics::cottonPlain();
@@ -233,7 +233,7 @@ TEST(Fluid, AHammockUnderWaterSagsByItsWeightThere) {
     EXPECT_GT(sag(1.1 * gravity * net / mass, false), 1.02 * inAir) << "sag tells weight";
 }
 
-/// Force of the water on soaked cloth that sinks until it is held, so long after that, over the lift alone.
+// Force of the water on soaked cloth that sinks until it is held, so long after that, over the lift alone.
 double forceAfterLanding(double substep, double time) {
     SmallStepWorld rig;
     const Fabric fabric = airtight();
@@ -308,7 +308,7 @@ TEST(Fluid, SubmergingRefusesWhatMakesNoSense) {
     EXPECT_THROW(lake.submerge(0, 1, {0, 2e6, 0}), std::invalid_argument);
 }
 
-/// Forces on eight faces side by side, anyhow in air and water.
+// Forces on eight faces side by side, anyhow in air and water.
 std::vector<FluidForce> forces(PushByFluid push) {
     unsigned long number = 12345;
     const auto random = [&number] {

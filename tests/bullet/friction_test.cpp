@@ -13,7 +13,7 @@ constexpr double slopeAngle = 20 * 3.14159265358979 / 180;
 
 // Layers in here are stepped by the test, and once only, so that water stays where it is and there is no air.
 
-/// Velocity down a slope of 20 degrees after 2 s, of cloth with so much water, kg/m2.
+// Velocity down a slope of 20 degrees after 2 s, of cloth with so much water, kg/m2.
 double slideWet(const Fabric& fabric, double water, const Surface& surface) {
     test::SmallStepWorld rig;
     const btTransform slope(btQuaternion({0, 0, 1}, btScalar(slopeAngle)), {0, 0, 0});
@@ -61,7 +61,7 @@ TEST(Friction, ClingHoldsOnASlopeWhatFrictionAloneWouldNot) {
     EXPECT_NEAR(slideWet(fabric, fabric.poreCapacity() + 0.5, slippery) / slidingSpeed(0.1), 1, 0.03);
 }
 
-/// How far a sheet that touches a ceiling has come down after a second, m.
+// How far a sheet that touches a ceiling has come down after a second, m.
 double fallFromCeiling(double clingOverWeight, double wettability, SmallStepSettings steps) {
     Fabric fabric = fabrics::cottonPlain();
     constexpr int nodes = 21;
@@ -90,7 +90,7 @@ TEST(Friction, AWetSheetHangsFromACeilingAsLongAsClingExceedsItsWeight) {
     }
 }
 
-/// A sheet of wet cloth that lies on a free plate without gravity, to be pulled off.
+// A sheet of wet cloth that lies on a free plate without gravity, to be pulled off.
 class Peel {
   public:
     static constexpr double length = 0.3, width = 0.05, plateMass = 20;
@@ -116,7 +116,7 @@ class Peel {
         rig_.run(0.1);
     }
 
-    /// Takes hold of one end.
+    // Takes hold of one end.
     void hold(const btVector3& velocity) {
         for (int j = 0; j < across_; ++j) {
             btSoftBody::Node& node = sheet_->m_nodes[j * along_];
@@ -126,10 +126,10 @@ class Peel {
     }
     void throwUp(double speed) { test::setVelocity(*sheet_, {0, btScalar(speed), 0}); }
     double mass() const { return test::mass(*sheet_); }
-    /// Upwards, on average.
+    // Upwards, on average.
     double speed() const { return double(test::momentum(*sheet_).y()) / mass(); }
 
-    /// Impulse upwards on the plate, by the cloth, while so much time passes, N s.
+    // Impulse upwards on the plate, by the cloth, while so much time passes, N s.
     double pull(double time) {
         const double before = double(plate_->getLinearVelocity().y());
         rig_.run(time);
@@ -173,7 +173,7 @@ TEST(Friction, ASheetThatFliesOffAPlateHasLostTheEnergyOfItsBonds) {
     }
 }
 
-/// How far a piece of cloth under another one, which is held everywhere, has come down after half a second, m.
+// How far a piece of cloth under another one, which is held everywhere, has come down after half a second, m.
 double fallFromCloth(double clingOverWeight, bool isUpperWet, bool isLowerWet) {
     constexpr double spacing = 0.01;
     constexpr int nodes = 13, nodesAbove = 25;
@@ -230,8 +230,8 @@ TEST(Friction, ClothSlidesOnClothAsOnAPlate) {
     }
 }
 
-/// How far a piece of cloth on a ball has got from the place on the ball where it lay, after the ball has turned upside
-/// down and further about a level axis, m.
+// How far a piece of cloth on a ball has got from the place on the ball where it lay, after the ball has turned upside
+// down and further about a level axis, m.
 double leftBehind(double fractionOfSaturation) {
     constexpr double radius = 0.2, angularAcceleration = 4;
     const Fabric fabric = fabrics::cottonPlain();

@@ -71,7 +71,7 @@ double waterOf(test::WetScene& scene) {
     return sum;
 }
 
-/// All that numbers may depend on but the sources.
+// All that numbers may depend on but the sources.
 std::string buildKey() {
     std::ostringstream key;
 #if defined(__clang__)
@@ -93,7 +93,7 @@ std::string buildKey() {
     return key.str();
 }
 
-/// Hash of each scene by build.
+// Hash of each scene by build.
 std::map<std::string, std::string> knownHashes(const std::string& key) {
     std::ifstream file(DRENCH_SOURCE_DIR "/tests/golden/states.txt");
     std::map<std::string, std::string> hashes;
@@ -107,7 +107,7 @@ std::map<std::string, std::string> knownHashes(const std::string& key) {
     return hashes;
 }
 
-/// Whether this is a build as tests/run.sh makes them on Debian 12, all of which have to be known.
+// Whether this is a build as tests/run.sh makes them on Debian 12, all of which have to be known.
 bool isOneOfOurs() {
 #if defined(__x86_64__) && defined(__GNUC__) && __GNUC__ == 12 && !defined(__clang__)
     std::ifstream file("/etc/os-release");

@@ -13,7 +13,7 @@ using test::reportOf;
 constexpr auto nan = std::numeric_limits<btScalar>::quiet_NaN();
 constexpr auto infinite = std::numeric_limits<btScalar>::infinity();
 
-/// Something that goes wrong between two substeps, and what Drench calls it.
+// Something that goes wrong between two substeps, and what Drench calls it.
 struct Mishap {
     const char* name;
     Trouble trouble;

@@ -135,7 +135,7 @@ TEST(PreTick, ACallbackThatWasWithdrawnIsNotCalled) {
     EXPECT_GT(cloth->moisture().totalPoreMass(), 0.0);
 }
 
-/// A world, a second one in its place of memory, and a sheet in either.
+// A world, a second one in its place of memory, and a sheet in either.
 struct OneAddress {
     std::optional<demo::BulletWorld> world = std::nullopt;
     std::unique_ptr<btSoftBody> sheet;
@@ -218,7 +218,7 @@ TEST(PreTick, ALayerMayEndWithinTheApplicationsCallback) {
     EXPECT_TRUE(test::isFinite(rig.sheet()));
 }
 
-/// The three things whose order of ending is free. Each ends once.
+// The three things whose order of ending is free. Each ends once.
 struct Ending {
     std::unique_ptr<demo::BulletWorld> world = std::make_unique<demo::BulletWorld>();
     std::unique_ptr<btSoftBody> body = test::smallSheet(world->world().getWorldInfo());
@@ -338,7 +338,7 @@ TEST(Lifetime, ABodyInAnotherWorldIsNotSteppedByItsOld) {
     other.world().removeSoftBody(end.body.get());
 }
 
-/// Ends after every static object of the library's, and says so.
+// Ends after every static object of the library's, and says so.
 struct LastThing {
     ~LastThing() {
         if (!ending) return;

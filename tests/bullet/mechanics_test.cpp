@@ -17,7 +17,7 @@ bool hangsByCorners(int node) {
     return node < 2 || (node >= nodes - 2 && node < nodes);
 }
 
-/// Lets a sheet with `water` times its own mass of water come to rest in Bullet.
+// Lets a sheet with `water` times its own mass of water come to rest in Bullet.
 Outcome inBullet(const Fabric& fabric, double water, double dt) {
     demo::BulletWorld bullet;
     const auto sheet = test::hangingSheet(bullet.world().getWorldInfo(), fabric, side, nodes);
@@ -38,7 +38,7 @@ Outcome inBullet(const Fabric& fabric, double water, double dt) {
     return outcome;
 }
 
-/// The same sheet put together from the textile formulas alone and solved at rest in double precision.
+// The same sheet put together from the textile formulas alone and solved at rest in double precision.
 Outcome atRest(const Fabric& fabric, double water) {
     const auto problem =
         test::hangingGrid(fabric, side, nodes, fabric.arealDensity * (1 + water), hangsByCorners);

@@ -15,7 +15,7 @@ namespace {
 constexpr double g = 9.81;
 const btVector3 half(btScalar(2), btScalar(0.25), btScalar(0.4));
 
-/// The same block, four ways: whole, of boxes in one compound, of boxes as bodies of their own, of triangles.
+// The same block, four ways: whole, of boxes in one compound, of boxes as bodies of their own, of triangles.
 enum class Block { whole, compound, bodies, triangles };
 constexpr Block blocks[] = {Block::whole, Block::compound, Block::bodies, Block::triangles};
 

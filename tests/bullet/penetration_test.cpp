@@ -15,10 +15,10 @@ namespace {
 
 constexpr double speed = 5, max = 1e-3;
 
-/// How deep a point is in a solid, in the solid's own coordinates, m.
+// How deep a point is in a solid, in the solid's own coordinates, m.
 using Depth = std::function<double(const btVector3&)>;
 
-/// Deepest that any node of a square metre gets, and most of them that touch, as it is thrown down on a solid.
+// Deepest that any node of a square metre gets, and most of them that touch, as it is thrown down on a solid.
 struct Thrown {
     double deepest = 0;
     int touching = 0;
@@ -97,7 +97,7 @@ TEST(Penetration, NoNodeEndsInAConvexHullOrACylinder) {
     });
 }
 
-/// A box of triangles.
+// A box of triangles.
 void addBox(btTriangleMesh& mesh, const btVector3& half) {
     for (int axis = 0; axis < 3; ++axis)
         for (const btScalar side : {btScalar(-1), btScalar(1)}) {

@@ -28,7 +28,7 @@ double kineticEnergy(const btSoftBody& body) {
     return sum;
 }
 
-/// Pore saturation at which cloth weighs as much as it displaces, 1.
+// Pore saturation at which cloth weighs as much as it displaces, 1.
 double sinkingSaturation(const Fabric& fabric) {
     const double fibre = fabric.arealDensity / fabric.fibreDensity;
     return (waterDensity * fibre + fabric.poreCapacity() - fabric.arealDensity) / fabric.poreCapacity();
@@ -87,7 +87,7 @@ TEST(PoolWorld, ClothThatHardlyWetsLiesStillOnTheWater) {
     }
 }
 
-/// A sheet held by its upper edge, which goes up and down.
+// A sheet held by its upper edge, which goes up and down.
 struct Dipped {
     SmallStepWorld rig;
     btSoftBody& sheet;
@@ -138,7 +138,7 @@ TEST(PoolWorld, ClothThatIsLiftedOutWeighsItsFibreAndWhatTheLedgerSays) {
 
 enum class Kind { smallSteps, stock, explicitSteps, implicitSteps };
 
-/// A sheet that hangs under water, or lies level and free, in one of the worlds.
+// A sheet that hangs under water, or lies level and free, in one of the worlds.
 struct UnderWater {
     SmallStepSolver solver;
     std::unique_ptr<demo::SceneWorld> world;
@@ -173,7 +173,7 @@ struct UnderWater {
             for (int axis = 0; axis < 3 && sheet->m_nodes[n].m_im > 0; ++axis)
                 sheet->m_nodes[n].m_v[axis] += btScalar(double(random()) / double(random.max()) - 0.5);
     }
-    /// @return the highest speed on the way, m/s
+    // @return the highest speed on the way, m/s
     double run(double time, double substep) {
         double highest = 0;
         for (int i = 0; i < static_cast<int>(std::lround(time / substep)); ++i) {

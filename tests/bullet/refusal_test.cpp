@@ -11,7 +11,7 @@
 namespace drench::refusal_test {
 namespace {
 
-/// The message with which attaching is refused; fails the test if it is not, or if the body has changed.
+// The message with which attaching is refused; fails the test if it is not, or if the body has changed.
 std::string refusal(demo::BulletWorld& bullet, btSoftBody& body,
                     const Fabric& fabric = fabrics::cottonPlain(), const SheetSettings& settings = {}) {
     const btScalar inverseMass = body.m_nodes[1].m_im, drag = body.m_cfg.kDG;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double g = 9.81;
 
-/// Deepest that any node is inside a ball, m.
+// Deepest that any node is inside a ball, m.
 double depthInBall(const btSoftBody& sheet, const btVector3& centre, double radius) {
     double depth = 0;
     for (int n = 0; n < sheet.m_nodes.size(); ++n)
@@ -99,7 +99,7 @@ TEST(SmallStepContact, ABallThatComesAtARestingSheetDoesNotEnterIt) {
         }
 }
 
-/// Velocity down a slope of 20 degrees after 2 s.
+// Velocity down a slope of 20 degrees after 2 s.
 double slideDownSlope(double friction, int steps) {
     constexpr double angle = 20 * 3.14159265358979 / 180;
     test::SmallStepWorld rig({steps, 0.01});
@@ -146,7 +146,7 @@ TEST(SmallStepContact, ASheetAndAFreeBallKeepTheirMomentum) {
     }
 }
 
-/// A sheet of a metre held along all its edges.
+// A sheet of a metre held along all its edges.
 btSoftBody& net(test::SmallStepWorld& rig, int nodes) {
     btSoftBody& sheet = rig.add(test::levelSheet(rig.info(), fabrics::cottonPlain(), 1, nodes, 0));
     for (int i = 0; i < nodes; ++i)
@@ -291,7 +291,7 @@ TEST(SmallStepContact, LockedAxesOfASolidStayLocked) {
     EXPECT_EQ(double(ball.getAngularVelocity().length()), 0);
 }
 
-/// Level ground at y = 0 of 20 x 20 cells of two triangles, with a roof-shaped ridge of 0.1 m along x = 0.
+// Level ground at y = 0 of 20 x 20 cells of two triangles, with a roof-shaped ridge of 0.1 m along x = 0.
 class MeshGround {
   public:
     explicit MeshGround(btDynamicsWorld& world) : world_(world) {

@@ -9,7 +9,7 @@
 namespace drench::small_step_lifetime_test {
 namespace {
 
-/// Soft bodies of all kinds that Drench does not move, falling on a ground and a ball, beside a sheet of its own.
+// Soft bodies of all kinds that Drench does not move, falling on a ground and a ball, beside a sheet of its own.
 class MixedWorld {
   public:
     explicit MixedWorld(btSoftBodySolver* solver) : bullet_(solver) {
@@ -102,7 +102,7 @@ TEST(SmallStepLifetime, BodiesThatAreNotDrenchsMoveBitForBitAsEver) {
               std::memcmp(&stock.sheet().m_nodes[84].m_x, &small.sheet().m_nodes[84].m_x, sizeof(btVector3)));
 }
 
-/// A soaked sheet that hangs gets a new, dry layer: its masses fall to less than half between two substeps.
+// A soaked sheet that hangs gets a new, dry layer: its masses fall to less than half between two substeps.
 struct Dried {
     double massRatio;      // wet over dry
     double fastest;        // m/s, ever after

@@ -71,7 +71,7 @@ TEST(SmallStepMotion, DampingIsAShareOfTheVelocityPerSecond) {
             }
 }
 
-/// First swing of a hanging chain: omega = j0 / 2 sqrt(g / L), j0 the first zero of the Bessel function.
+// First swing of a hanging chain: omega = j0 / 2 sqrt(g / L), j0 the first zero of the Bessel function.
 TEST(SmallStepMotion, ANarrowStripSwingsAsAHangingChain) {
     constexpr double firstZero = 2.404825557695773, length = 0.5;
     constexpr int along = 17;
@@ -107,7 +107,7 @@ TEST(SmallStepMotion, ANarrowStripSwingsAsAHangingChain) {
     EXPECT_NEAR(period / expected, 1, 0.01);
 }
 
-/// Kinetic energy, height and the springs of the fabric, put together from its formulas alone; J.
+// Kinetic energy, height and the springs of the fabric, put together from its formulas alone; J.
 double energyOf(const btSoftBody& sheet, const Fabric& fabric, double side, int nodes) {
     double sum = 0;
     for (int n = 0; n < sheet.m_nodes.size(); ++n) {

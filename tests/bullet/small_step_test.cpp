@@ -17,7 +17,7 @@ using test::Outcome;
 constexpr int nodes = 17;
 constexpr double side = 0.5;
 
-/// Cloth that hardly bends, and is equally stiff wet and dry: nothing but springs and weight.
+// Cloth that hardly bends, and is equally stiff wet and dry: nothing but springs and weight.
 Fabric springs(double stretch) {
     Fabric fabric = test::constantStiffness(stretch);
     fabric.bending = 1e-9;
@@ -25,7 +25,7 @@ Fabric springs(double stretch) {
     return fabric;
 }
 
-/// Lets a sheet with `water` times its own mass of water come to rest under its upper edge.
+// Lets a sheet with `water` times its own mass of water come to rest under its upper edge.
 Outcome inBullet(const Fabric& fabric, double water, const SmallStepSettings& steps) {
     test::SmallStepWorld rig(steps);
     btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabric, side, nodes));
@@ -37,7 +37,7 @@ Outcome inBullet(const Fabric& fabric, double water, const SmallStepSettings& st
     return {-side - double(sheet.m_nodes[nodes / 2 + nodes * (nodes - 1)].m_x.y()), test::meanStrain(sheet)};
 }
 
-/// The same sheet put together from the textile formulas alone and solved at rest in double precision.
+// The same sheet put together from the textile formulas alone and solved at rest in double precision.
 Outcome atRest(const Fabric& fabric, double water) {
     const auto problem = test::hangingGrid(fabric, side, nodes, fabric.arealDensity * (1 + water),
                                            [](int node) { return node < nodes; });
@@ -79,7 +79,7 @@ TEST(SmallStep, AutomaticStepsKeepTheirTolerance) {
     }
 }
 
-/// How far down a square metre of cotton hangs.
+// How far down a square metre of cotton hangs.
 double lowestPoint(int meshNodes, bool byCorners, double tolerance, double dt, double time) {
     test::SmallStepWorld rig({0, tolerance});
     btSoftBody& sheet = rig.add(test::hangingSheet(rig.info(), fabrics::cottonPlain(), 1, meshNodes));
@@ -125,7 +125,7 @@ TEST(SmallStep, SheetsHangEquallyLowOnAnyMesh) {
     EXPECT_LT(max / min, 1.02) << "by two corners";
 }
 
-/// A crumpled wet sheet that flies apart in all directions for one substep, by one kind of kernels.
+// A crumpled wet sheet that flies apart in all directions for one substep, by one kind of kernels.
 std::vector<Eigen::Vector3d> moved(const SmallStepKernels& kernels, int steps) {
     test::SmallStepWorld rig;
     Fabric fabric = fabrics::cottonPlain();

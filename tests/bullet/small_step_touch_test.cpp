@@ -16,7 +16,7 @@ btVector3 momentum(const btSoftBody& body) {
     return sum;
 }
 
-/// A level sheet that touches other soft bodies.
+// A level sheet that touches other soft bodies.
 std::unique_ptr<btSoftBody> touchingSheet(btSoftBodyWorldInfo& info, double side, int nodes, double height) {
     auto sheet = test::levelSheet(info, fabrics::cottonPlain(), side, nodes, height);
     sheet->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
@@ -96,7 +96,7 @@ TEST(SmallStepTouch, ASheetAndAPatchThatBulletMovesKeepTheirMomentum) {
     }
 }
 
-/// Mean strain of a hanging square metre of cotton at rest in so many steps.
+// Mean strain of a hanging square metre of cotton at rest in so many steps.
 double strainAtRest(int nodes, int steps, bool tethers, double stretch) {
     Fabric fabric = fabrics::cottonPlain();
     fabric.stretchWarp = fabric.stretchWeft = stretch;

@@ -17,7 +17,7 @@ namespace {
 
 const std::string path = DRENCH_SOURCE_DIR "/tests/bullet/data/small.snapshot";
 
-/// Makes numbers of bytes by arithmetic alone, so that it reads the same on a machine of any byte order.
+// Makes numbers of bytes by arithmetic alone, so that it reads the same on a machine of any byte order.
 class Decoder {
   public:
     explicit Decoder(std::string bytes) : bytes_(std::move(bytes)) {}
@@ -60,7 +60,7 @@ std::string contents() {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What stands before the sections, checked, and then those by name.
+// What stands before the sections, checked, and then those by name.
 std::map<std::string, std::string> sections() {
     Decoder file(contents());
     EXPECT_EQ(file.letters(8),
@@ -81,7 +81,7 @@ std::map<std::string, std::string> sections() {
     return all;
 }
 
-/// The fabric that the file names, whatever has become of cotton since.
+// The fabric that the file names, whatever has become of cotton since.
 Fabric fabricOfFile() {
     Decoder cloth(sections().at("CLTH"));
     Fabric fabric;

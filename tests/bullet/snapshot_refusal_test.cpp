@@ -17,7 +17,7 @@ namespace {
 using test::Mover;
 using test::WetScene;
 
-/// A wet sheet of 5 x 5 nodes in rain, on its way down.
+// A wet sheet of 5 x 5 nodes in rain, on its way down.
 std::unique_ptr<WetScene> smallScene(const Fabric& fabric = fabrics::cottonPlain(), int nodes = 5,
                                      Mover mover = Mover::smallSteps) {
     auto scene = std::make_unique<WetScene>(mover);
@@ -29,7 +29,7 @@ std::unique_ptr<WetScene> smallScene(const Fabric& fabric = fabrics::cottonPlain
     return scene;
 }
 
-/// The first bytes again, with a checksum that fits.
+// The first bytes again, with a checksum that fits.
 std::string sealed(std::string bytes) {
     bytes.resize(bytes.size() - 8);
     StateWriter writer;
@@ -38,7 +38,7 @@ std::string sealed(std::string bytes) {
     return writer.bytes();
 }
 
-/// With another state, and all else right.
+// With another state, and all else right.
 std::string withState(const Snapshot& of, const std::string& state) {
     return snapshotBytes({of.precision(), of.nodes(), of.links(), of.faces(), of.topology()}, state);
 }
@@ -152,7 +152,7 @@ TEST_F(SnapshotRefusal, OtherSourcesAndSolids) {
     EXPECT_SAYS(bare.cloth().restore(Snapshot(before)), "object 0 of this world is a soft body");
 }
 
-/// A source of the application's own, which takes only states that begin with 7.
+// A source of the application's own, which takes only states that begin with 7.
 class Picky final : public Source {
   public:
     std::string name() const override { return "picky"; }
@@ -204,7 +204,7 @@ TEST(SnapshotSources, ABodyInNoWorldHasNone) {
     scene->world().addSoftBody(scene->sheet());
 }
 
-/// Whatever stands in a state that claims to be right, it is refused, or the sheet takes it and goes on from there.
+// Whatever stands in a state that claims to be right, it is refused, or the sheet takes it and goes on from there.
 TEST(SnapshotNonsense, UnderARightChecksum) {
     auto scene = smallScene();
     scene->step(30);

@@ -26,7 +26,7 @@ inline std::unique_ptr<demo::SceneWorld> worldFor(Mover mover, const SmallStepSe
     return world;
 }
 
-/// A world with sheets of which snapshots are taken together.
+// A world with sheets of which snapshots are taken together.
 class WetScene {
   public:
     explicit WetScene(Mover mover, const SmallStepSettings& steps = {})
@@ -82,7 +82,7 @@ class WetScene {
     std::vector<std::unique_ptr<WetCloth>> cloths_;
 };
 
-/// A sheet that hangs by two corners in gusts and rain, its foot in a pool, before a ball that keeps rain and wind off.
+// A sheet that hangs by two corners in gusts and rain, its foot in a pool, before a ball that keeps rain and wind off.
 inline std::unique_ptr<WetScene> hangingInRain(Mover mover) {
     auto scene = std::make_unique<WetScene>(mover);
     scene->world().addBall({0, btScalar(-0.1), btScalar(0.25)}, 0.1, 0);
@@ -100,7 +100,7 @@ inline std::unique_ptr<WetScene> hangingInRain(Mover mover) {
     return scene;
 }
 
-/// A soaked sheet that has fallen on a ball and the ground, and clings to both.
+// A soaked sheet that has fallen on a ball and the ground, and clings to both.
 inline std::unique_ptr<WetScene> lyingOnBall(Mover mover) {
     auto scene = std::make_unique<WetScene>(mover);
     btRigidBody& ball = scene->world().addBall({0, btScalar(-0.12), 0}, 0.1, 0);
@@ -114,7 +114,7 @@ inline std::unique_ptr<WetScene> lyingOnBall(Mover mover) {
     return scene;
 }
 
-/// Two wet sheets, one on the other, on a box.
+// Two wet sheets, one on the other, on a box.
 inline std::unique_ptr<WetScene> twoSheets(Mover mover) {
     auto scene = std::make_unique<WetScene>(mover);
     scene->world().addBox({0, btScalar(-0.1), 0}, {btScalar(0.1), btScalar(0.1), btScalar(0.1)});
@@ -131,7 +131,7 @@ inline std::unique_ptr<WetScene> twoSheets(Mover mover) {
     return scene;
 }
 
-/// 3 x 3 nodes, hung by two corners, and wet.
+// 3 x 3 nodes, hung by two corners, and wet.
 inline std::unique_ptr<WetScene> smallestScene(const Fabric& fabric) {
     auto scene = std::make_unique<WetScene>(Mover::smallSteps);
     auto sheet = hangingSheet(scene->world().worldInfo(), fabric, 0.2, 3);

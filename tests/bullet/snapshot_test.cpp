@@ -16,7 +16,7 @@ using test::Mover;
 using test::WetScene;
 using Build = std::unique_ptr<WetScene> (*)(Mover);
 
-/// Everything of the sheets as of now; of unlike states also where they first differ.
+// Everything of the sheets as of now; of unlike states also where they first differ.
 std::vector<std::string> bytesOf(const WetScene& scene) {
     std::vector<std::string> all;
     for (const Snapshot& snapshot : scene.save()) all.push_back(snapshot.bytes());
@@ -28,7 +28,7 @@ std::vector<std::string> futureOf(WetScene& scene, int steps) {
     return bytesOf(scene);
 }
 
-/// Where two states first differ: section, and byte in it.
+// Where two states first differ: section, and byte in it.
 std::string difference(const std::string& one, const std::string& other) {
     const Snapshot a(one), b(other);
     StateReader left(a.state()), right(b.state());
@@ -75,7 +75,7 @@ TEST_P(SnapshotOf, AFreshWorldGoesOnAsTheOldOne) {
     }
 }
 
-/// Contacts of the last step with solids and other sheets.
+// Contacts of the last step with solids and other sheets.
 int contactsOf(const btSoftBody& sheet) {
     return sheet.m_rcontacts.size() + sheet.m_scontacts.size() + sheet.m_nodeRigidContacts.size() +
            sheet.m_faceNodeContacts.size();
@@ -141,7 +141,7 @@ TEST(SnapshotRun, FiveHundredStepsOnAFile) {
     EXPECT_TRUE(bytesOf(*scene) == bytesOf(*fresh));
 }
 
-/// Held by one edge, level at first, and now on its way down.
+// Held by one edge, level at first, and now on its way down.
 std::unique_ptr<WetScene> tethered(Mover mover) {
     SmallStepSettings steps;
     steps.count = 6;
@@ -224,7 +224,7 @@ TEST(SnapshotRun, WaterThatTheApplicationAddsBetweenStepsIsNotLost) {
     expectSameFuture(*scene, *fresh, 40);
 }
 
-/// Two sheets above each other, of which the upper one drips on the lower.
+// Two sheets above each other, of which the upper one drips on the lower.
 struct Dripping {
     Dripping() : scene(Mover::smallSteps), drops(scene.world().world()) {
         const Fabric fabric = fabrics::cottonPlain();
@@ -265,7 +265,7 @@ TEST(SnapshotRun, DropsInTheAirGoOnFalling) {
     EXPECT_TRUE(one.dropsState() == other.dropsState());
 }
 
-/// What an application keeps of a rigid body of its own.
+// What an application keeps of a rigid body of its own.
 struct RigidState {
     explicit RigidState(const btRigidBody& body)
         : transform(body.getWorldTransform()),
@@ -285,7 +285,7 @@ struct RigidState {
     btVector3 velocity, spin;
 };
 
-/// A ball that falls into a hammock, and off it again.
+// A ball that falls into a hammock, and off it again.
 struct Hammock {
     explicit Hammock(Mover mover)
         : scene(mover), ball(scene.world().addBall({0, btScalar(0.08), 0}, 0.05, 0.2)) {

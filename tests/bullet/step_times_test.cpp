@@ -39,7 +39,7 @@ TEST(WaterSpeed, RefusesWhatTheSettingRefuses) {
     EXPECT_EQ(cloth.waterSpeed(), 1);
 }
 
-/// What a spray that brings the same water gives the sheet in a step, kg m/s, at a speed that is set after it was added.
+// What a spray that brings the same water gives the sheet in a step, kg m/s, at a speed that is set after it was added.
 double pushAtSpeed(double speed) {
     test::FreeSheet rig(fabrics::cottonPlain());
     rig.cloth().add(Spray({0.5, 1, 0.5}, {0, -1, 0}, 0.1 / speed));

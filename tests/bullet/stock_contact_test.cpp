@@ -127,7 +127,7 @@ TEST(StockContact, ASolidThatIsGoneHoldsNothing) {
     EXPECT_LT(double(test::centre(rig.sheet()).y()), -1);
 }
 
-/// Deepest that a sheet thrown at a ball of 0.25 m ever is inside it, m.
+// Deepest that a sheet thrown at a ball of 0.25 m ever is inside it, m.
 double deepestInBall(int substepsPerSecond, int sweeps) {
     WetContactRig rig(stockWorld(), 21, fabrics::cottonPlain());
     constexpr double radius = 0.25, depth = 0.3;

@@ -29,7 +29,7 @@ double water(const WetCloth& cloth) {
     return cloth.waterMass();
 }
 
-/// The nodes that hang together with one through faces.
+// The nodes that hang together with one through faces.
 std::set<int> pieceOf(const btSoftBody& body, int first) {
     std::set<int> piece = {first};
     for (std::size_t before = 0; before != piece.size();) {
@@ -44,7 +44,7 @@ std::set<int> pieceOf(const btSoftBody& body, int first) {
     return piece;
 }
 
-/// Unevenly wet, as a cut must not even it out.
+// Unevenly wet, as a cut must not even it out.
 void wet(AnyWorld& rig) {
     for (int n = 0; n < rig.sheet().m_nodes.size(); ++n) rig.cloth().addWater(n, 1e-4 * (1 + n % 7));
     rig.cloth().account("hose").addPores(30, 2e-3);
@@ -140,7 +140,7 @@ TEST(Topology, ClothThatIsTornOffFalls) {
     }
 }
 
-/// Bullet's own way to cut along a surface.
+// Bullet's own way to cut along a surface.
 struct Plane final : btSoftBody::ImplicitFn {
     btScalar Eval(const btVector3& x) override { return x.x() + btScalar(0.3) * x.y() - btScalar(0.01); }
 };
@@ -214,7 +214,7 @@ TEST(Topology, AnotherOrderIsNoticedWithinSixtyFourSubsteps) {
     }
 }
 
-/// Bodies that are no cloth any more.
+// Bodies that are no cloth any more.
 struct Ruin {
     const char* name;
     std::function<void(btSoftBody&)> happen;
@@ -327,7 +327,7 @@ TEST(Topology, ABodyThatWasCutIsGivenBackAsBulletWouldHaveIt) {
     EXPECT_TRUE(test::isFinite(rig.sheet()));
 }
 
-/// What the application's callbacks work on.
+// What the application's callbacks work on.
 AnyWorld* rigOfCallbacks = nullptr;
 int cutsLeft = 0;
 

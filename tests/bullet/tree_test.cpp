@@ -14,7 +14,7 @@ std::unique_ptr<btSoftBody> largeSheet(btSoftBodyWorldInfo& info, int nodes) {
                      nodes);
 }
 
-/// What the leaves of a tree stand for.
+// What the leaves of a tree stand for.
 std::set<const void*> dataOf(const btDbvtNode* node) {
     if (!node) return {};
     if (node->isleaf()) return {node->data};
@@ -23,7 +23,7 @@ std::set<const void*> dataOf(const btDbvtNode* node) {
     return data;
 }
 
-/// Whether each node of a tree contains what is below it, and knows its parent.
+// Whether each node of a tree contains what is below it, and knows its parent.
 bool isSound(const btDbvtNode& node) {
     if (node.isleaf()) return true;
     for (const btDbvtNode* child : node.childs)

@@ -13,7 +13,7 @@ using test::SheetWorld;
 
 constexpr double pi = 3.14159265358979323846;
 
-/// A square metre of level cloth at a height, held all along its border.
+// A square metre of level cloth at a height, held all along its border.
 std::unique_ptr<btSoftBody> levelSheet(btSoftBodyWorldInfo& info, double height, int nodes, double side = 1) {
     auto sheet = makeSheet(info, fabrics::cottonPlain(),
                            flatCorners({btScalar(-side / 2), btScalar(height), btScalar(-side / 2)},
@@ -25,7 +25,7 @@ std::unique_ptr<btSoftBody> levelSheet(btSoftBodyWorldInfo& info, double height,
     return sheet;
 }
 
-/// A sheet in a world that both live as long as the test.
+// A sheet in a world that both live as long as the test.
 struct Stage {
     demo::BulletWorld bullet;
     std::vector<std::unique_ptr<btSoftBody>> bodies;
@@ -253,7 +253,7 @@ TEST(Touch, PassesWaterBetweenTwoSheetsThatLieOnEachOther) {
     EXPECT_NEAR(lower.waterMass() + lower.ledger().dripped, left, 1e-3);
 }
 
-/// The application's own: a gram a second on one node.
+// The application's own: a gram a second on one node.
 class Tap final : public Source {
   public:
     explicit Tap(std::size_t node) : node_(node) {}
@@ -311,7 +311,7 @@ TEST(Sources, WakeABodyThatSleeps) {
     EXPECT_EQ(&cloth.account("hose"), &cloth.account("hose"));
 }
 
-/// Waters once, then goes, and leaves another behind.
+// Waters once, then goes, and leaves another behind.
 class Bucket final : public Source {
   public:
     explicit Bucket(WetCloth& cloth) : cloth_(cloth) {}
@@ -449,7 +449,7 @@ TEST(Sources, OfAnyKindTogetherNeitherMakeNorLoseWater) {
     }
 }
 
-/// A closed sleeve, its axis upright, 0.2 m across.
+// A closed sleeve, its axis upright, 0.2 m across.
 std::unique_ptr<btSoftBody> sleeve(btSoftBodyWorldInfo& info, int around, int along) {
     info.m_sparsesdf.setDefaultVoxelsz(btScalar(0.01));
     info.m_sparsesdf.Reset();

@@ -13,7 +13,7 @@ using test::SheetWorld;
 
 using MakeBody = std::unique_ptr<btSoftBody> (*)(btSoftBodyWorldInfo&);
 
-/// Every body that a layer must work on.
+// Every body that a layer must work on.
 class AnyBody : public testing::TestWithParam<MakeBody> {};
 
 std::string nameOfBody(const testing::TestParamInfo<MakeBody>& body) {

@@ -20,7 +20,7 @@ inline btVector3 centre(const btSoftBody& body) {
     return sum / btScalar(body.m_nodes.size());
 }
 
-/// One sheet of half a metre with its cloth, in a world of its own, in air that moves along with it.
+// One sheet of half a metre with its cloth, in a world of its own, in air that moves along with it.
 class WetContactRig {
   public:
     WetContactRig(std::unique_ptr<demo::SceneWorld> world, int nodes, const Fabric& fabric)
@@ -42,7 +42,7 @@ class WetContactRig {
     WetCloth& cloth() { return *cloth_; }
     std::unique_ptr<WetCloth>& owner() { return cloth_; }
 
-    /// Water that neither dries nor runs.
+    // Water that neither dries nor runs.
     WetCloth& cover(double saturation, Stepping stepping = Stepping::byWorld) {
         SheetSettings settings;
         settings.waterSpeed = 0;
@@ -52,7 +52,7 @@ class WetContactRig {
         return *cloth_;
     }
 
-    /// The sheet on a slope; the velocity with which it slides down is away from x.
+    // The sheet on a slope; the velocity with which it slides down is away from x.
     btRigidBody& layOnSlope() {
         const btQuaternion turn({0, 0, 1}, btScalar(slope));
         btRigidBody& box = world_->addBox({0, 0, 0}, {8, btScalar(0.5), 2}, turn);
@@ -66,14 +66,14 @@ class WetContactRig {
     double speedDown() const { return double(momentum(*sheet_).dot(down_)) / mass(*sheet_); }
     double distanceDown(const btVector3& from) const { return double((centre(*sheet_) - from).dot(down_)); }
 
-    /// The sheet under a box whose underside is at y = 0, on its way up.
+    // The sheet under a box whose underside is at y = 0, on its way up.
     btRigidBody& pressAgainstCeiling() {
         sheet_->translate({0, -margin(), 0});
         setVelocity(*sheet_, {0, btScalar(0.2), 0});
         return world_->addBox({0, btScalar(0.5), 0}, {1, btScalar(0.5), 1});
     }
 
-    /// The sheet under a plate that is free, which it touches.
+    // The sheet under a plate that is free, which it touches.
     btRigidBody& pressAgainstPlate(double plateMass) {
         const btVector3 half(btScalar(0.3), btScalar(0.05), btScalar(0.3));
         plateShape_ = std::make_unique<btBoxShape>(half);
@@ -101,7 +101,7 @@ class WetContactRig {
         }
     }
 
-    /// The world ends before the rest of this.
+    // The world ends before the rest of this.
     void endWorld() { world_.reset(); }
 
   private:
@@ -114,7 +114,7 @@ class WetContactRig {
     btVector3 down_ = btVector3(0, 0, 0);
 };
 
-/// Cotton whose bonds hold so much of the weight that it has at 60 % of its pores' capacity.
+// Cotton whose bonds hold so much of the weight that it has at 60 % of its pores' capacity.
 inline Fabric cottonThatClings(double fraction) {
     constexpr double reach = 0.01;  // of bonds in a coarse mesh, m
     Fabric fabric = fabrics::cottonPlain();

@@ -25,7 +25,7 @@ Fabric airtight() {
     return fabric;
 }
 
-/// A wind from a formula.
+// A wind from a formula.
 class Formula final : public WindField {
   public:
     using Law = Vector3d (*)(const Vector3d& position, double time);
@@ -46,8 +46,8 @@ class Formula final : public WindField {
     double length_;
 };
 
-/// Free airtight cloth without gravity, 2 m wide and 1 m high, in the plane z = 0 around the origin, 33 x 17
-/// nodes. The test steps its layer; nothing moves.
+// Free airtight cloth without gravity, 2 m wide and 1 m high, in the plane z = 0 around the origin, 33 x 17
+// nodes. The test steps its layer; nothing moves.
 class Screen {
   public:
     Screen() {
@@ -69,13 +69,13 @@ class Screen {
     WetCloth& cloth() { return *cloth_; }
     Air& air() { return cloth_->air(); }
 
-    /// Lets time pass for the air.
+    // Lets time pass for the air.
     void wait(double time) {
         for (int i = 0; i < std::lround(time * 60); ++i) cloth_->preSubstep(btScalar(1.0 / 60));
         forgetForces();
     }
-    /// Wind forces across the sheet now, N, of nodes at least a tenth of a metre to one side of the middle.
-    /// In so short a step the limiter has nothing to limit.
+    // Wind forces across the sheet now, N, of nodes at least a tenth of a metre to one side of the middle.
+    // In so short a step the limiter has nothing to limit.
     struct Push {
         double left = 0, right = 0, all = 0;
     };
@@ -90,7 +90,7 @@ class Screen {
         }
         return found;
     }
-    /// The same of each node.
+    // The same of each node.
     std::vector<double> pushes() {
         cloth_->preSubstep(btScalar(1e-6));
         std::vector<double> forces;

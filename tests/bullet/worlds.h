@@ -13,8 +13,8 @@
 
 namespace drench::test {
 
-/// A sheet of side x side metres, hanging in the plane z = 0 from its upper edge at y = 0; warp along x, weft
-/// downwards.
+// A sheet of side x side metres, hanging in the plane z = 0 from its upper edge at y = 0; warp along x, weft
+// downwards.
 inline std::unique_ptr<btSoftBody> hangingSheet(btSoftBodyWorldInfo& info, const Fabric& fabric, double side,
                                                 int nodes) {
     auto sheet =
@@ -25,7 +25,7 @@ inline std::unique_ptr<btSoftBody> hangingSheet(btSoftBodyWorldInfo& info, const
     return sheet;
 }
 
-/// A world with one soft body in it, which leaves the world before it goes.
+// A world with one soft body in it, which leaves the world before it goes.
 class SheetWorld {
   public:
     explicit SheetWorld(std::unique_ptr<btSoftBody> (*make)(btSoftBodyWorldInfo&))
@@ -45,7 +45,7 @@ class SheetWorld {
     std::unique_ptr<btSoftBody> sheet_;
 };
 
-/// A level square metre of free cloth without gravity, 11 x 11 nodes, whose layer the test steps itself.
+// A level square metre of free cloth without gravity, 11 x 11 nodes, whose layer the test steps itself.
 class FreeSheet {
   public:
     explicit FreeSheet(const Fabric& fabric) {
@@ -70,7 +70,7 @@ class FreeSheet {
     std::unique_ptr<WetCloth> cloth_;
 };
 
-/// A world whose sheets a SmallStepSolver moves, and the sheets and their cloth, which leave it before it goes.
+// A world whose sheets a SmallStepSolver moves, and the sheets and their cloth, which leave it before it goes.
 class SmallStepWorld {
   public:
     explicit SmallStepWorld(const SmallStepSettings& steps = {}) : solver_(steps), bullet_(&solver_) {}
@@ -86,7 +86,7 @@ class SmallStepWorld {
     btSoftRigidDynamicsWorld& world() { return bullet_.world(); }
     btSoftBodyWorldInfo& info() { return bullet_.world().getWorldInfo(); }
 
-    /// For rigid and soft bodies.
+    // For rigid and soft bodies.
     void setGravity(const btVector3& gravity) {
         world().setGravity(gravity);
         info().m_gravity = gravity;
@@ -102,7 +102,7 @@ class SmallStepWorld {
         return *cloths_.back();
     }
 
-    /// Runs for so long in frames of `frameTime`, each one substep of Bullet's.
+    // Runs for so long in frames of `frameTime`, each one substep of Bullet's.
     void run(double time, double frameTime = 1.0 / 60) {
         const auto frames = static_cast<int>(std::lround(time / frameTime));
         for (int i = 0; i < frames; ++i) bullet_.step(frameTime, 1);
@@ -115,21 +115,21 @@ class SmallStepWorld {
     std::vector<std::unique_ptr<WetCloth>> cloths_;
 };
 
-/// Settings of a WetCloth whose work the test leaves undone after the first: no air, and water that stays.
+// Settings of a WetCloth whose work the test leaves undone after the first: no air, and water that stays.
 inline SheetSettings withoutAir() {
     SheetSettings settings;
     settings.stepping = Stepping::byApplication;
     return settings;
 }
 
-/// Settings of a WetCloth that throws where something goes wrong.
+// Settings of a WetCloth that throws where something goes wrong.
 inline SheetSettings throwing() {
     SheetSettings settings;
     settings.onTrouble = OnTrouble::throwError;
     return settings;
 }
 
-/// A level square sheet around (0, height, 0); warp along x, weft along z.
+// A level square sheet around (0, height, 0); warp along x, weft along z.
 inline std::unique_ptr<btSoftBody> levelSheet(btSoftBodyWorldInfo& info, const Fabric& fabric, double side,
                                               int nodes, double height) {
     return makeSheet(info, fabric,
@@ -146,7 +146,7 @@ inline double mass(const btSoftBody::Node& node) {
     return node.m_im > 0 ? 1 / double(node.m_im) : 0.0;
 }
 
-/// Momentum of the nodes that are free, kg m/s.
+// Momentum of the nodes that are free, kg m/s.
 inline btVector3 momentum(const btSoftBody& body) {
     btVector3 sum(0, 0, 0);
     for (int n = 0; n < body.m_nodes.size(); ++n)
@@ -154,7 +154,7 @@ inline btVector3 momentum(const btSoftBody& body) {
     return sum;
 }
 
-/// Mass of the nodes that are free, kg.
+// Mass of the nodes that are free, kg.
 inline double mass(const btSoftBody& body) {
     double sum = 0;
     for (int n = 0; n < body.m_nodes.size(); ++n) sum += mass(body.m_nodes[n]);
@@ -198,7 +198,7 @@ inline std::unique_ptr<btSoftBody> smallSheet(btSoftBodyWorldInfo& info) {
     return hangingSheet(info, fabrics::cottonPlain(), 0.5, 17);
 }
 
-/// Bullet's own patch, 0.6 m square and level, with its default links and iterations.
+// Bullet's own patch, 0.6 m square and level, with its default links and iterations.
 inline std::unique_ptr<btSoftBody> patch(btSoftBodyWorldInfo& info) {
     info.m_sparsesdf.setDefaultVoxelsz(btScalar(0.02));
     info.m_sparsesdf.Reset();
@@ -209,8 +209,8 @@ inline std::unique_ptr<btSoftBody> patch(btSoftBodyWorldInfo& info) {
     return body;
 }
 
-/// A body from a list of triangles: an irregular hexagonal piece of cloth, 0.4 m across, through
-/// CreateFromTriMesh.
+// A body from a list of triangles: an irregular hexagonal piece of cloth, 0.4 m across, through
+// CreateFromTriMesh.
 inline std::unique_ptr<btSoftBody> triangleMesh(btSoftBodyWorldInfo& info) {
     info.m_sparsesdf.setDefaultVoxelsz(btScalar(0.02));
     info.m_sparsesdf.Reset();

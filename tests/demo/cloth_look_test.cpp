@@ -25,7 +25,7 @@ class ClothLook : public testing::Test {
     viewer::Renderer renderer_;
 };
 
-/// Red over blue left and right of the middle, which a black and a white ball behind the sheet make differ.
+// Red over blue left and right of the middle, which a black and a white ball behind the sheet make differ.
 double stripeContrast(const viewer::Image& image) {
     const Part left{width / 2 - 40, height / 2 - 15, 30, 30}, right{width / 2 + 10, height / 2 - 15, 30, 30};
     const double dark = meanLight(image, left)[2], pale = meanLight(image, right)[2];
@@ -175,7 +175,7 @@ TEST(SheetUniforms, OnlyRectanglesHaveAHem) {
     EXPECT_EQ(viewer::sheetUniforms(sheet, std::nullopt).threading[0], 0.0f);
 }
 
-/// Two strips of triangles that meet in a line of three nodes, one turned out of the plane of the other.
+// Two strips of triangles that meet in a line of three nodes, one turned out of the plane of the other.
 viewer::SheetMesh folded(float angle) {
     viewer::SheetMesh sheet;
     for (const float z : {0.0f, 1.0f, 2.0f}) {

@@ -15,7 +15,7 @@
 namespace drench::demo::drape_meter_test {
 namespace {
 
-/// Run once for all tests of this file.
+// Run once for all tests of this file.
 const DrapeMeter& atRest(const std::string& fabric) {
     static std::map<std::string, std::unique_ptr<DrapeMeter>> all;
     if (const auto found = all.find(fabric); found != all.end()) return *found->second;
@@ -64,7 +64,7 @@ TEST(DrapeMeter, DiscIsRoundAndItsTrianglesAreGood) {
     }
 }
 
-/// Largest angle between neighbours among the nodes on a circle round the origin, rad.
+// Largest angle between neighbours among the nodes on a circle round the origin, rad.
 double widestGap(const DiscMesh& mesh, double radius) {
     std::vector<double> angles;
     for (const Eigen::Vector2d& node : mesh.nodes)

@@ -28,7 +28,7 @@ constexpr Kind smallSteps{"SmallSteps", WorldKind::softRigid, SolverKind::smallS
 constexpr Kind stock{"Stock", WorldKind::softRigid, SolverKind::stock};
 constexpr Kind deformable{"Deformable", WorldKind::deformable, SolverKind::stock};
 
-/// A square metre of cotton that hangs by its upper corners, or lies in the air, and a hand.
+// A square metre of cotton that hangs by its upper corners, or lies in the air, and a hand.
 class Rig {
   public:
     explicit Rig(const Kind& kind, double saturation = 0) : stage_(description(kind, saturation)) {}
@@ -44,7 +44,7 @@ class Rig {
             stage_.step(frameTime);
         }
     }
-    /// Points from 3 m before the sheet at a place in its plane.
+    // Points from 3 m before the sheet at a place in its plane.
     void point(double x, double y, bool pressed, Tool tool = Tool::hand) {
         pointer_.pressed = pressed;
         pointer_.tool = tool;
@@ -64,7 +64,7 @@ class Rig {
             speed = std::max(speed, double(sheet().body().m_nodes[n].m_v.length()));
         return speed;
     }
-    /// Of a stretch link.
+    // Of a stretch link.
     double largestStrain() {
         double largest = 0;
         const btSoftBody& body = sheet().body();

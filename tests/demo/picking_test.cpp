@@ -15,7 +15,7 @@ Camera camera() {
     return made;
 }
 
-/// A square of 1 m around a point, square to the z axis.
+// A square of 1 m around a point, square to the z axis.
 SheetMesh square(const Eigen::Vector3f& centre) {
     SheetMesh mesh;
     for (const float y : {-0.5f, 0.5f})

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int width = 320, height = 240;
 
-/// The picture with a dark wall behind the sheet, since light from behind gets through the more the wetter it is.
+// The picture with a dark wall behind the sheet, since light from behind gets through the more the wetter it is.
 viewer::Picture beforeAWall(viewer::Picture picture) {
     viewer::Box wall;
     wall.centre = {0, 1, -0.5f};
@@ -43,7 +43,7 @@ TEST(Picture, WetterIsDarkerAtEachOfTheTenSteps) {
     EXPECT_EQ(renderer.glErrors(), 0);
 }
 
-/// The same sheet as its colour alone makes it look: no threads, no film, nothing behind it.
+// The same sheet as its colour alone makes it look: no threads, no film, nothing behind it.
 viewer::Picture colourAlone(viewer::Picture picture) {
     for (viewer::SheetMesh& sheet : picture.sheets) {
         sheet.clothCoordinates.clear();

@@ -13,7 +13,7 @@
 
 namespace drench::demo {
 
-/// A 2 m sheet that stands still and fills the picture.
+// A 2 m sheet that stands still and fills the picture.
 class Portrait {
   public:
     explicit Portrait(const Fabric& fabric)
@@ -27,7 +27,7 @@ class Portrait {
     }
     ~Portrait() { bullet_.world().removeSoftBody(sheet_.get()); }
 
-    /// Takes up this share of saturation more.
+    // Takes up this share of saturation more.
     void absorb(double fraction) { cloth_->soakPores(fraction * fabric_.poreCapacity()); }
 
     btSoftBody& body() { return *sheet_; }
@@ -50,22 +50,22 @@ class Portrait {
     std::unique_ptr<WetCloth> cloth_;
 };
 
-/// A part of an image in pixels, from its upper left corner.
+// A part of an image in pixels, from its upper left corner.
 struct Part {
     int left, top, width, height;
 };
 
-/// The middle half of an image each way.
+// The middle half of an image each way.
 inline Part middle(const viewer::Image& image) {
     return {image.width / 4, image.height / 4, image.width / 2, image.height / 2};
 }
 
-/// One channel of a pixel, 0 to 255.
+// One channel of a pixel, 0 to 255.
 inline double channel(const viewer::Image& image, int x, int y, int which) {
     return image.rgb[static_cast<std::size_t>(3 * (y * image.width + x) + which)];
 }
 
-/// The light that a channel shows, 0 to 1: without the curve of sRGB and that of the tones.
+// The light that a channel shows, 0 to 1: without the curve of sRGB and that of the tones.
 inline double light(double shown) {
     constexpr double knee = 0.5, exposure = 1.14;
     const double encoded = shown / 255;
@@ -74,7 +74,7 @@ inline double light(double shown) {
     return (knee - (1 - knee) * std::log(1 - std::min((linear - knee) / (1 - knee), 0.999))) / exposure;
 }
 
-/// Mean light of each channel in a part of an image.
+// Mean light of each channel in a part of an image.
 inline std::array<double, 3> meanLight(const viewer::Image& image, const Part& part) {
     std::array<double, 3> sum{};
     for (int y = part.top; y < part.top + part.height; ++y)
@@ -84,7 +84,7 @@ inline std::array<double, 3> meanLight(const viewer::Image& image, const Part& p
     return sum;
 }
 
-/// Mean of the pixels in a part of an image, all channels alike, 0 to 255.
+// Mean of the pixels in a part of an image, all channels alike, 0 to 255.
 inline double brightness(const viewer::Image& image, const Part& part) {
     double sum = 0;
     for (int y = part.top; y < part.top + part.height; ++y)
@@ -93,7 +93,7 @@ inline double brightness(const viewer::Image& image, const Part& part) {
     return sum / (3 * part.width * part.height);
 }
 
-/// Root mean square of how far green lies from its mean in a part of an image, 0 to 255.
+// Root mean square of how far green lies from its mean in a part of an image, 0 to 255.
 inline double unevenness(const viewer::Image& image, const Part& part) {
     double sum = 0, squares = 0;
     for (int y = part.top; y < part.top + part.height; ++y)

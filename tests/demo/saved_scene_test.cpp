@@ -14,7 +14,7 @@
 namespace drench::demo::saved_scene_test {
 namespace {
 
-/// Largest distance between the same nodes of two sheets, m.
+// Largest distance between the same nodes of two sheets, m.
 double farthest(const SceneCloth& a, const SceneCloth& b) {
     double max = 0;
     for (int n = 0; n < a.body().m_nodes.size(); ++n)
@@ -62,7 +62,7 @@ TEST(SavedScene, ThatCouldNotBeLoadedIsRefusedAndLeavesTheFileThatIsThere) {
     std::filesystem::remove_all(folder);
 }
 
-/// How far a scene that was saved after a second and loaded is from the one that ran on, after another half, m.
+// How far a scene that was saved after a second and loaded is from the one that ran on, after another half, m.
 double apart(const SceneDescription& scene) {
     Stage running(scene);
     for (int i = 0; i < 60; ++i) running.step(Scene::frameTime);

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the text is refused with; empty if it is taken.
+// What the text is refused with; empty if it is taken.
 std::string refusal(const std::string& text) {
     try {
         readScene(text);
@@ -30,7 +30,7 @@ std::string refusal(const std::string& text) {
     return "";
 }
 
-/// A scene with one sheet, with more keys in the sheet and in the whole.
+// A scene with one sheet, with more keys in the sheet and in the whole.
 std::string withSheet(const std::string& inSheet, const std::string& inScene = "") {
     return "{" + inScene + (inScene.empty() ? "" : ",") + "\"sheets\": [{" + inSheet + "}]}";
 }
@@ -42,7 +42,7 @@ std::string contentsOf(const fs::path& path) {
     return text.str();
 }
 
-/// A folder that is there during a test.
+// A folder that is there during a test.
 class SceneFiles : public testing::Test {
   protected:
     SceneFiles()
@@ -54,7 +54,7 @@ class SceneFiles : public testing::Test {
     fs::path folder_;
 };
 
-/// What loading a file is refused with; empty if it is taken.
+// What loading a file is refused with; empty if it is taken.
 std::string loadRefusal(const fs::path& path) {
     try {
         loadScene(path);
@@ -64,7 +64,7 @@ std::string loadRefusal(const fs::path& path) {
     return "";
 }
 
-/// Everything that a scene may have, none of it as by default.
+// Everything that a scene may have, none of it as by default.
 SceneDescription fullScene() {
     SceneDescription scene;
     scene.name = "full";
@@ -291,7 +291,7 @@ TEST_F(SceneFiles, SavingLeavesNothingHalfMade) {
     EXPECT_THROW(saveScene("/proc/no/such.json", fullScene()), std::runtime_error);
 }
 
-/// The blocks of JSON in a page.
+// The blocks of JSON in a page.
 std::vector<std::string> examplesIn(const std::string& page) {
     std::vector<std::string> examples;
     const std::string opening = "```json\n";

@@ -43,7 +43,7 @@ SceneRequest request(const SceneDescription& description = hangingSheet()) {
             nullptr};
 }
 
-/// Waits; ten minutes mean never.
+// Waits; ten minutes mean never.
 bool comesTrue(const std::function<bool()>& condition) {
     const auto until = steady_clock::now() + std::chrono::minutes(10);
     while (!condition()) {
@@ -57,7 +57,7 @@ bool reaches(const Simulation& simulation, int frame) {
     return comesTrue([&] { return simulation.latest() && simulation.latest()->frame >= frame; });
 }
 
-/// A clock that goes on when told.
+// A clock that goes on when told.
 class Clock {
   public:
     void advance(double seconds) { milliseconds_ += int(1000 * seconds); }
@@ -69,7 +69,7 @@ class Clock {
     std::atomic<int> milliseconds_{0};
 };
 
-/// Has the simulation do something between frames, and waits until it is seen; it then has had its chance of a frame.
+// Has the simulation do something between frames, and waits until it is seen; it then has had its chance of a frame.
 void goRound(Simulation& simulation) {
     const auto done = std::make_shared<std::atomic<bool>>(false);
     simulation.post([done](Scene&) { *done = true; });
@@ -249,7 +249,7 @@ TEST(Simulation, PlaysOnAfterTheEndOfTheScene) {
     EXPECT_NE(testing::internal::GetCapturedStdout(), "");
 }
 
-/// At any moment: nothing is done out of turn, and nothing once it has ended, and nothing of what it was given is kept.
+// At any moment: nothing is done out of turn, and nothing once it has ended, and nothing of what it was given is kept.
 TEST(Simulation, EndsInTheMidstOfEverything) {
     for (int i = 0; i < 20; ++i) {
         const auto done = std::make_shared<std::vector<int>>();

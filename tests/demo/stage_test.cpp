@@ -11,7 +11,7 @@
 namespace drench::demo::stage_test {
 namespace {
 
-/// A level sheet of 1 m2, sealed from vapour, held all round.
+// A level sheet of 1 m2, sealed from vapour, held all round.
 SceneDescription levelSheet(const std::string& more = "") {
     return readScene(R"({"weather": {"vapourExchange": 0}, "sheets": [{"nodes": [11, 11],
         "corner": [-0.5, 1, -0.5], "warp": [1, 0, 0], "weft": [0, 0, 1],

@@ -10,7 +10,7 @@
 namespace drench::demo::ten_steps_test {
 namespace {
 
-/// The whole experiment on a sheet of 28 x 23 nodes, run once for all tests of this file.
+// The whole experiment on a sheet of 28 x 23 nodes, run once for all tests of this file.
 const TenSteps& coarseRun() {
     static const std::unique_ptr<TenSteps> run = [] {
         SceneOptions options;
@@ -82,7 +82,7 @@ TEST(TenSteps, TheReportPutsFiveStepsSideBySide) {
     EXPECT_NE(text.str().find("Small steps per frame"), std::string::npos);
 }
 
-/// A scene that is over at once and says that something is wrong, or not.
+// A scene that is over at once and says that something is wrong, or not.
 class Verdict final : public Scene {
   public:
     explicit Verdict(bool good) : good_(good) {}

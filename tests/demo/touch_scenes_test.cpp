@@ -14,7 +14,7 @@
 namespace drench::demo::touch_scenes_test {
 namespace {
 
-/// Runs a scene to its end, expects its own check to pass, and returns its log.
+// Runs a scene to its end, expects its own check to pass, and returns its log.
 Table logOf(const std::string& name, double seconds = 0) {
     SceneOptions options;
     options.fabric = sceneByName(name).fabric;
@@ -38,7 +38,7 @@ std::vector<double> column(const Table& table, const std::string& name) {
     return values;
 }
 
-/// Middle of the spectrum of what happens after the first seconds, Hz.
+// Middle of the spectrum of what happens after the first seconds, Hz.
 double meanFrequency(std::vector<double> values, double from) {
     values.erase(values.begin(), values.begin() + std::lround(from / Scene::frameTime));
     double mean = 0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int width = 320, height = 240;
 
-/// Relative luminance of linear RGB.
+// Relative luminance of linear RGB.
 double luminance(const Eigen::Vector3f& rgb) {
     return 0.2126 * rgb.x() + 0.7152 * rgb.y() + 0.0722 * rgb.z();
 }

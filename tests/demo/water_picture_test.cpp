@@ -14,7 +14,7 @@ namespace {
 
 constexpr int width = 320, height = 240;
 
-/// Ground, sky and a box, with the camera on a point in front of it.
+// Ground, sky and a box, with the camera on a point in front of it.
 Picture stage() {
     Picture picture;
     picture.camera.target = {0, 0.5f, 0};
@@ -35,7 +35,7 @@ double brightness(const Image& image, int x, int y) {
     return (channel(image, x, y, 0) + channel(image, x, y, 1) + channel(image, x, y, 2)) / 3.0;
 }
 
-/// Which pixels of two pictures differ by more than dither does.
+// Which pixels of two pictures differ by more than dither does.
 struct Change {
     int inside = 0;   // of the middle, as far as `radius` pixels
     int outside = 0;  // beyond
@@ -57,7 +57,7 @@ Change change(const Image& before, const Image& after, int radiusX, int radiusY)
 
 class WaterPicture : public testing::Test {
   protected:
-    /// What `add` changes of a picture.
+    // What `add` changes of a picture.
     Change changeBy(Picture picture, const std::function<void(Picture&)>& add, int radiusX, int radiusY) {
         const Image before = renderer_.capture(picture, width, height);
         add(picture);
@@ -183,8 +183,8 @@ TEST_F(WaterPicture, APatchInTheAirOrOnASheetChangesNothing) {
     EXPECT_EQ(changeBy(picture, onSheet, width, height).inside, 0);
 }
 
-/// Light of a channel in the middle of a picture, before the curve of the renderer, which is straight in the
-/// dark.
+// Light of a channel in the middle of a picture, before the curve of the renderer, which is straight in the
+// dark.
 double lightInTheMiddle(const Image& image, int which) {
     double sum = 0;
     int counted = 0;

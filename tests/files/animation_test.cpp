@@ -47,8 +47,8 @@ Eigen::Vector3f toEigen(const aiVector3D& v) {
     return {v.x, v.y, v.z};
 }
 
-/// Where the vertices of a mesh, or their normals, are at a key of the animation: those of the mesh, and of each
-/// target, by its weight, what it changes.
+// Where the vertices of a mesh, or their normals, are at a key of the animation: those of the mesh, and of each
+// target, by its weight, what it changes.
 Positions played(const aiMesh& mesh, const aiMeshMorphKey& key, bool normals) {
     const auto vectors = [&](const auto& of) { return normals ? of.mNormals : of.mVertices; };
     Positions positions;

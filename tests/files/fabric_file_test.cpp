@@ -26,7 +26,7 @@ void expectSame(const Fabric& a, const Fabric& b) {
     }
 }
 
-/// Why text is refused; empty if it is not.
+// Why text is refused; empty if it is not.
 std::string whyNot(const std::string& text) {
     return refusal<std::invalid_argument>([&] { fabricFromText(text); });
 }
@@ -184,7 +184,7 @@ TEST(FabricFile, SchemaInTheDocumentsIsTheLibrarys) {
         << "write fabricSchema() there again";
 }
 
-/// By Python's jsonschema, which knows nothing of this library.
+// By Python's jsonschema, which knows nothing of this library.
 TEST(FabricFile, SchemaTakesPresetsAndRefusesWhatIsOff) {
     if (std::system("python3 -c 'import jsonschema' 2> /dev/null") != 0)
         GTEST_SKIP() << "install python3-jsonschema";

@@ -22,7 +22,7 @@ class GlbReader {
 
     const nlohmann::json& json() const { return json_; }
 
-    /// The numbers of an accessor of single precision.
+    // The numbers of an accessor of single precision.
     std::vector<float> floats(int accessor) const {
         const nlohmann::json& found = json_["accessors"][std::size_t(accessor)];
         const nlohmann::json& view = json_["bufferViews"][found["bufferView"].get<std::size_t>()];
@@ -33,7 +33,7 @@ class GlbReader {
         return numbers;
     }
 
-    /// An attribute of a mesh in a frame: its base, and what the frame's morph target adds.
+    // An attribute of a mesh in a frame: its base, and what the frame's morph target adds.
     std::vector<float> attribute(std::size_t mesh, const std::string& name, std::size_t frame) const {
         const nlohmann::json& primitive = json_["meshes"][mesh]["primitives"][0];
         std::vector<float> numbers = floats(primitive["attributes"][name]);

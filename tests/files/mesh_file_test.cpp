@@ -39,7 +39,7 @@ double areaOf(const TriangleMesh& mesh) {
     return area;
 }
 
-/// A tube of quads around y with a vertex for each place, as modelling programs write it; its texture goes once round.
+// A tube of quads around y with a vertex for each place, as modelling programs write it; its texture goes once round.
 std::string tube(int around, int up, double radius, double height) {
     std::ostringstream text;
     for (int j = 0; j <= up; ++j)
@@ -148,7 +148,7 @@ TEST(MeshFile, NamesTheFile) {
     EXPECT_NE(why("off.obj").find("off.obj: line 1"), std::string::npos);
 }
 
-/// Text that is mutilated at random is read as a mesh, or refused with its line or what it lacks; nothing else happens.
+// Text that is mutilated at random is read as a mesh, or refused with its line or what it lacks; nothing else happens.
 TEST(MeshFile, StandsAnyText) {
     const std::string whole = tube(6, 3, 0.2, 0.5);
     std::mt19937 random(7);
@@ -189,7 +189,7 @@ TEST(MeshFile, StandsAnyText) {
     EXPECT_GT(refused, 60);
 }
 
-/// A mesh of a grid becomes what makeSheet makes of a grid, but for the links of bending.
+// A mesh of a grid becomes what makeSheet makes of a grid, but for the links of bending.
 TEST(MeshSheet, AGridOfQuadsIsAWovenSheet) {
     test::SmallStepWorld world;
     const Fabric fabric;
@@ -224,7 +224,7 @@ TEST(MeshSheet, AGridOfQuadsIsAWovenSheet) {
     EXPECT_NEAR(sheet->getCollisionShape()->getMargin(), grid->getCollisionShape()->getMargin(), 0.003);
 }
 
-/// A tube that hangs from its upper edge, as a skirt: wet it holds together, and hangs lower than dry.
+// A tube that hangs from its upper edge, as a skirt: wet it holds together, and hangs lower than dry.
 TEST(MeshSheet, ATubeHangsAndGetsWet) {
     MeshReadOptions reading;
     reading.texture = true;

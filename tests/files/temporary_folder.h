@@ -43,7 +43,7 @@ inline void put(const std::filesystem::path& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
 }
 
-/// What an exception says; empty if there is none.
+// What an exception says; empty if there is none.
 template <typename Exception, typename Work>
 std::string refusal(Work work) {
     try {

@@ -7,7 +7,7 @@
 
 namespace drench::test {
 
-/// The frames of a cotton and a wool sheet that hang in the wind, while water is put on one half of the first.
+// The frames of a cotton and a wool sheet that hang in the wind, while water is put on one half of the first.
 inline std::vector<std::vector<ClothFrame>> wetRun(int frames, int nodes = 9) {
     SmallStepWorld world;
     btSoftBody& cotton = world.add(hangingSheet(world.info(), fabrics::cottonPlain(), 0.5, nodes));

@@ -13,21 +13,21 @@
 
 namespace drench::fuzz {
 
-/// Hands out the bytes of an input as numbers; all zeros once they are used up.
+// Hands out the bytes of an input as numbers; all zeros once they are used up.
 class Choices {
   public:
     Choices(const std::uint8_t* bytes, std::size_t count) : bytes_(bytes), left_(count) {}
 
     bool any() const { return left_ > 0; }
     std::uint8_t byte() { return left_ > 0 ? (--left_, *bytes_++) : std::uint8_t(0); }
-    /// One of low, low + 1 ... high, at most 256 of them.
+    // One of low, low + 1 ... high, at most 256 of them.
     int whole(int low, int high) { return low + byte() % (high - low + 1); }
     bool oneIn(int count) { return whole(1, count) == count; }
     double between(double low, double high) {
         const int first = byte();
         return low + (high - low) * (256 * first + byte()) / 65535;
     }
-    /// Mostly within the range; now and then at its ends, beyond it, or no number at all.
+    // Mostly within the range; now and then at its ends, beyond it, or no number at all.
     double around(double low, double high) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         switch (whole(0, 23)) {
@@ -55,14 +55,14 @@ class Choices {
     std::size_t left_;
 };
 
-/// Ends the program, which is how a fuzzer learns of a finding.
+// Ends the program, which is how a fuzzer learns of a finding.
 [[noreturn]] inline void fail(const std::string& what) {
     std::fprintf(stderr, "finding: %s\n", what.c_str());
     std::abort();
 }
 
-/// Whether a call went well. It may refuse what it is given, as a standard error of Drench's own that says more than the
-/// name of a function; any other exception is a finding.
+// Whether a call went well. It may refuse what it is given, as a standard error of Drench's own that says more than the
+// name of a function; any other exception is a finding.
 template <typename Call>
 bool accepts(Call call, const std::string& start = "drench: ") {
     const auto check = [&](const std::exception& problem) {
@@ -85,5 +85,5 @@ bool accepts(Call call, const std::string& start = "drench: ") {
 
 }  // namespace drench::fuzz
 
-/// What a fuzzer consists of; libFuzzer calls it, or replay.cpp.
+// What a fuzzer consists of; libFuzzer calls it, or replay.cpp.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count);

@@ -11,7 +11,7 @@
 namespace drench::fuzz {
 namespace {
 
-/// A file that goes with the program, of a name that no other program has.
+// A file that goes with the program, of a name that no other program has.
 class OwnFile {
   public:
     OwnFile()

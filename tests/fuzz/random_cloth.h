@@ -12,7 +12,7 @@
 
 namespace drench::fuzz {
 
-/// A ready fabric with up to four parameters that are other than there, now and then out of range.
+// A ready fabric with up to four parameters that are other than there, now and then out of range.
 inline Fabric randomFabric(Choices& choices) {
     const auto& names = fabrics::names();
     Fabric fabric = fabrics::byName(names[static_cast<std::size_t>(choices.byte()) % names.size()]);
@@ -32,14 +32,14 @@ inline btVector3 randomVector(Choices& choices, double reach) {
     return {x, y, number()};
 }
 
-/// As above, but now and then with something that is no number, or beyond all measure.
+// As above, but now and then with something that is no number, or beyond all measure.
 inline btVector3 wildVector(Choices& choices, double reach) {
     btVector3 vector = randomVector(choices, reach);
     if (choices.oneIn(6)) vector[choices.whole(0, 2)] = btScalar(choices.around(-reach, reach));
     return vector;
 }
 
-/// Any triangles between any nodes, with links along their sides.
+// Any triangles between any nodes, with links along their sides.
 inline std::unique_ptr<btSoftBody> randomTriangles(Choices& choices, btSoftBodyWorldInfo& info) {
     std::vector<btVector3> positions;
     const int nodes = choices.whole(3, 20);
@@ -60,7 +60,7 @@ inline std::unique_ptr<btSoftBody> randomTriangles(Choices& choices, btSoftBodyW
     return body;
 }
 
-/// A grid, mostly, of any corners.
+// A grid, mostly, of any corners.
 inline std::unique_ptr<btSoftBody> randomBody(Choices& choices, btSoftBodyWorldInfo& info,
                                               const Fabric& fabric) {
     if (choices.oneIn(3)) return randomTriangles(choices, info);

@@ -8,7 +8,7 @@
 namespace drench::fuzz {
 namespace {
 
-/// So that one input takes milliseconds.
+// So that one input takes milliseconds.
 bool isSmall(const demo::SceneDescription& scene) {
     int nodes = 0;
     for (const demo::SheetDescription& sheet : scene.sheets) {

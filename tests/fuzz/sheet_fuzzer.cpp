@@ -15,7 +15,7 @@ Eigen::Vector3d eigen(const btVector3& vector) {
     return {double(vector.x()), double(vector.y()), double(vector.z())};
 }
 
-/// A world with a ball and one sheet, at which an application pulls as the input says.
+// A world with a ball and one sheet, at which an application pulls as the input says.
 class Play {
   public:
     explicit Play(Choices& choices)
@@ -33,7 +33,7 @@ class Play {
     Play(const Play&) = delete;
     Play& operator=(const Play&) = delete;
 
-    /// Whether there still is a layer; one whose successor was refused is gone.
+    // Whether there still is a layer; one whose successor was refused is gone.
     bool goesOn() const { return cloth_ != nullptr; }
 
     void act() {
@@ -147,7 +147,7 @@ class Play {
         }
     }
 
-    /// Into the world, with places that Bullet can stand, or out of it.
+    // Into the world, with places that Bullet can stand, or out of it.
     void comeOrGo() {
         if (!inWorld_) repair();
         inWorld_ ? world_->removeSoftBody(*body_) : world_->addSoftBody(*body_);
@@ -173,7 +173,7 @@ class Play {
         if (!(std::abs(ledger.imbalance()) <= 1e-6 * ledger.supplied + 1e-15)) fail("water is made or lost");
     }
 
-    /// What an application does whose step was refused.
+    // What an application does whose step was refused.
     void repair() {
         world_->world().clearForces();
         for (int n = 0; n < body_->m_nodes.size(); ++n) {

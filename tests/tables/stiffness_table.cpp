@@ -12,7 +12,7 @@ namespace {
 constexpr int nodesWarp = 55, nodesWeft = 45, heldNodes = 3;
 constexpr double height = 3.6;  // m, of the upper edge
 
-/// Cotton that is equally stiff wet and dry, so that only weight differs.
+// Cotton that is equally stiff wet and dry, so that only weight differs.
 Fabric cotton() {
     Fabric fabric = fabrics::cottonPlain();
     fabric.wetStretchRatio = 1;
@@ -33,7 +33,7 @@ std::unique_ptr<btSoftBody> hung(btSoftBodyWorldInfo& info) {
     return sheet;
 }
 
-/// Dry stiffness of each link of a layer's body, N/m.
+// Dry stiffness of each link of a layer's body, N/m.
 std::vector<double> stiffnessOf(const btSoftBody& sheet, const WetCloth& cloth) {
     const auto index = [&](const btSoftBody::Node* node) {
         return static_cast<int>(node - &sheet.m_nodes[0]);
@@ -56,7 +56,7 @@ std::vector<double> stiffnessOf(const btSoftBody& sheet, const WetCloth& cloth) 
 
 enum class LinkConstant { drench, xpbd };
 
-/// Sag of the upper edge's middle after six damped seconds, m.
+// Sag of the upper edge's middle after six damped seconds, m.
 double sagInBullet(LinkConstant kind, int substepsPerFrame, double fraction) {
     demo::BulletWorld bullet;
     const auto sheet = hung(bullet.world().getWorldInfo());

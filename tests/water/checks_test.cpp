@@ -87,7 +87,7 @@ TEST(Text, RefusalsHaveThePrefixOnce) {
     EXPECT_EQ(reasonOf(std::runtime_error("x, drench: y")), "x, drench: y");
 }
 
-/// A wrong value and how it reads.
+// A wrong value and how it reads.
 struct Value {
     double value;
     const char* text;
@@ -96,10 +96,10 @@ const Value values[] = {{1e-7, "1e-7"},     {-1e-7, "-1e-7"},       {0, "0"},
                         {-1, "-1"},         {1e300, "1e300"},       {5e-324, "5e-324"},
                         {test::nan, "NaN"}, {infinite, "infinity"}, {-infinite, "-infinity"}};
 
-/// Sets something, and throws what refuses the value.
+// Sets something, and throws what refuses the value.
 using Setter = std::function<void(double)>;
 
-/// Each message has the value as people write it, and what to give instead.
+// Each message has the value as people write it, and what to give instead.
 void expectReadable(const std::string& name, const Setter& set) {
     int refused = 0;
     for (const Value& each : values) {
@@ -159,7 +159,7 @@ TEST(Messages, AirAndSurfaces) {
               "drench: air wind is (0, -1e-7, 20000) m/s; give finite numbers, at most 10000 m/s together");
 }
 
-/// By a setter of a source, which refuses on a sheet and gives nothing then.
+// By a setter of a source, which refuses on a sheet and gives nothing then.
 template <class Kind>
 Setter ofSource(const Kind& good, std::function<void(Kind&, double)> set) {
     return [=](double value) {

@@ -24,7 +24,7 @@ double gramsPerHour(const Evaporation& evaporation) {
     return evaporation.rate * 1000 * 3600;
 }
 
-/// The message of the std::invalid_argument that the action throws, or "" if it throws none.
+// The message of the std::invalid_argument that the action throws, or "" if it throws none.
 template <class Action>
 std::string refusalOf(Action action) {
     try {

@@ -8,7 +8,7 @@
 namespace drench::fabric_test {
 namespace {
 
-/// The message of the std::invalid_argument that `validate` throws, or "" if it throws none.
+// The message of the std::invalid_argument that `validate` throws, or "" if it throws none.
 std::string refusalOf(const Fabric& fabric) {
     try {
         validate(fabric);

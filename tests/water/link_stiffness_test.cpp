@@ -21,7 +21,7 @@ struct Grid {
     }
 };
 
-/// n x n nodes, spacing a, both diagonals in each cell unless `crossed` is false.
+// n x n nodes, spacing a, both diagonals in each cell unless `crossed` is false.
 Grid grid(int n, double a, bool crossed = true) {
     Grid g;
     const auto node = [n](int i, int j) { return i + n * j; };
@@ -40,8 +40,8 @@ Grid grid(int n, double a, bool crossed = true) {
     return g;
 }
 
-/// Elastic energy per area of the links under a small uniform strain (Voigt: e11, e22, and the angle g12),
-/// J/m2.
+// Elastic energy per area of the links under a small uniform strain (Voigt: e11, e22, and the angle g12),
+// J/m2.
 double energyPerArea(const Grid& g, const std::vector<LinkStiffness>& stiffness,
                      const Eigen::Vector3d& strain, double area) {
     Eigen::Matrix2d e;

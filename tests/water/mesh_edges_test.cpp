@@ -64,7 +64,7 @@ std::vector<Named> meshes() {
     };
 }
 
-/// The triangles and apices at each edge, found the long way.
+// The triangles and apices at each edge, found the long way.
 std::map<NodePair, std::vector<std::array<std::size_t, 2>>> countedEdges(const Named& mesh) {
     std::map<NodePair, std::vector<std::array<std::size_t, 2>>> counted;
     const int nodes = int(mesh.nodes);
@@ -113,7 +113,7 @@ TEST(MeshEdges, AreNotFoundWhereThereAreNone) {
     }
 }
 
-/// V - E + F = 2 pieces - borders of surfaces without handles.
+// V - E + F = 2 pieces - borders of surfaces without handles.
 TEST(MeshEdges, ObeyEulersFormula) {
     for (const Named& mesh : meshes()) {
         if (!mesh.isManifold) continue;
@@ -185,7 +185,7 @@ TEST(CompressedRows, KeepTheOrderInWhichValuesCome) {
     EXPECT_EQ(CompressedRows<int>().size(), 0u);
 }
 
-/// Each element gets the first colour that no earlier element with a node in common has.
+// Each element gets the first colour that no earlier element with a node in common has.
 std::vector<std::vector<int>> firstFit(const Triangles& elements) {
     std::vector<std::vector<int>> colours;
     std::vector<std::size_t> colourOf;

@@ -14,14 +14,14 @@
 
 namespace drench::meshes {
 
-/// A mesh, and where its nodes are on the table before it is sewn; a tube is cut open along node 0.
+// A mesh, and where its nodes are on the table before it is sewn; a tube is cut open along node 0.
 struct LaidOut {
     ClothMesh cloth;
-    std::vector<Eigen::Vector2d> positions;  ///< m
-    double circumference = 0;                ///< of a tube, m
+    std::vector<Eigen::Vector2d> positions;  // m
+    double circumference = 0;                // of a tube, m
 };
 
-/// Node `column + columns * row` of a mesh of rows and columns.
+// Node `column + columns * row` of a mesh of rows and columns.
 inline int nodeAt(int column, int row, int columns) {
     return column + columns * row;
 }
@@ -45,7 +45,7 @@ inline double totalArea(const ClothMesh& cloth) {
     return std::accumulate(cloth.areas.begin(), cloth.areas.end(), 0.0);
 }
 
-/// Turns the weave under the nodes: the warp then runs at `angle` clockwise of the first axis of the places.
+// Turns the weave under the nodes: the warp then runs at `angle` clockwise of the first axis of the places.
 inline LaidOut rotated(LaidOut mesh, double angle) {
     const Eigen::Rotation2Dd turn(angle);
     for (auto& corners : mesh.cloth.coordinates)
@@ -77,15 +77,15 @@ inline LaidOut rotatedGrid(int columns, int rows, double spacing, double angle) 
     return rotated(grid(columns, rows, spacing), angle);
 }
 
-/// How bad an irregular mesh is.
+// How bad an irregular mesh is.
 struct Disorder {
-    double jitter = 0.35;        ///< of the spacing, at most 0.45
-    double worseFraction = 0.5;  ///< of cells that are cut along the worse diagonal
-    bool evenBorder = false;     ///< border and the nodes next to it stay where a grid has them
+    double jitter = 0.35;        // of the spacing, at most 0.45
+    double worseFraction = 0.5;  // of cells that are cut along the worse diagonal
+    bool evenBorder = false;     // border and the nodes next to it stay where a grid has them
 };
 
-/// A rectangle cut badly: nodes are moved at random (those of the border along it), and many cells are cut so
-/// that their largest angle is the larger one.
+// A rectangle cut badly: nodes are moved at random (those of the border along it), and many cells are cut so
+// that their largest angle is the larger one.
 inline LaidOut irregular(int columns, int rows, double spacing, unsigned seed,
                          const Disorder& disorder = Disorder()) {
     std::mt19937 random(seed);
@@ -130,7 +130,7 @@ inline LaidOut irregular(int columns, int rows, double spacing, unsigned seed,
     return {flatMesh(positions, triangles), positions};
 }
 
-/// A sleeve: the first column follows the last. Each triangle's coordinates lie together; at the seam, u starts again.
+// A sleeve: the first column follows the last. Each triangle's coordinates lie together; at the seam, u starts again.
 inline LaidOut tube(int around, int along, double spacing) {
     LaidOut mesh;
     mesh.positions = evenPositions(around, along, spacing);
@@ -152,14 +152,14 @@ inline LaidOut tube(int around, int along, double spacing) {
     return mesh;
 }
 
-/// Nodes that share no cloth.
+// Nodes that share no cloth.
 inline ClothMesh separateNodes(const std::vector<double>& areas) {
     ClothMesh mesh;
     mesh.areas = areas;
     return mesh;
 }
 
-/// Second place of each node as its height: the sheet hangs with its last row on top.
+// Second place of each node as its height: the sheet hangs with its last row on top.
 inline std::vector<float> upright(const LaidOut& mesh) {
     std::vector<float> heights;
     for (const Eigen::Vector2d& position : mesh.positions)
@@ -167,7 +167,7 @@ inline std::vector<float> upright(const LaidOut& mesh) {
     return heights;
 }
 
-/// A value of the nodes, linear in each triangle, at any place; 0 outside. Not for tubes.
+// A value of the nodes, linear in each triangle, at any place; 0 outside. Not for tubes.
 inline double valueAt(const LaidOut& mesh, const std::vector<double>& values,
                       const Eigen::Vector2d& position) {
     for (const auto& nodes : mesh.cloth.triangles) {

@@ -27,7 +27,7 @@ std::size_t index(int node) {
     return static_cast<std::size_t>(node);
 }
 
-/// Whether all three edges have a neighbour; not for meshes where far corners meet.
+// Whether all three edges have a neighbour; not for meshes where far corners meet.
 bool isInner(const PlateElement& element) {
     return element.nodes[3] >= 0 && element.nodes[4] >= 0 && element.nodes[5] >= 0;
 }
@@ -48,7 +48,7 @@ Eigen::Vector3d curvature(const PlateElement& element, const std::vector<double>
     return sum;
 }
 
-/// Energy of one element for B = 1 N m.
+// Energy of one element for B = 1 N m.
 double energy(const PlateElement& element, const std::vector<Eigen::Vector3d>& positions) {
     double sum = 0;
     for (const auto& weights : element.weights) {
@@ -82,7 +82,7 @@ std::vector<Eigen::Vector3d> crumpled(const LaidOut& mesh, double height) {
     return positions;
 }
 
-/// Matrix of the energy of small heights, for B = 1 N m.
+// Matrix of the energy of small heights, for B = 1 N m.
 Eigen::SparseMatrix<double> stiffnessMatrix(const std::vector<PlateElement>& elements, std::size_t size) {
     std::vector<Eigen::Triplet<double>> entries;
     for (const PlateElement& element : elements)
@@ -98,7 +98,7 @@ Eigen::SparseMatrix<double> stiffnessMatrix(const std::vector<PlateElement>& ele
     return matrix;
 }
 
-/// Heights under a load on each node, in N for B = 1 N m, with some nodes held at 0.
+// Heights under a load on each node, in N for B = 1 N m, with some nodes held at 0.
 std::vector<double> deflection(const LaidOut& mesh, const std::vector<double>& load,
                                const std::vector<bool>& held) {
     const std::size_t size = mesh.positions.size();
@@ -115,11 +115,11 @@ std::vector<double> deflection(const LaidOut& mesh, const std::vector<double>& l
     return {heights.begin(), heights.end()};
 }
 
-/// A strip along its first axis, clamped at the near end; below, its tip deflection over that of a beam.
+// A strip along its first axis, clamped at the near end; below, its tip deflection over that of a beam.
 struct Strip {
     LaidOut mesh;
-    double clampedAt;  ///< the two columns up to here are held; their mirror lies half way between them, m
-    double length;     ///< m
+    double clampedAt;  // the two columns up to here are held; their mirror lies half way between them, m
+    double length;     // m
 };
 
 double underOwnWeight(const Strip& strip) {
@@ -161,13 +161,13 @@ double underTipLoad(const Strip& strip, double width) {
     return tip / (count / width * std::pow(length, 3) / 3);
 }
 
-/// A strip of 1 m by 0.25 m whose cells lie square to it.
+// A strip of 1 m by 0.25 m whose cells lie square to it.
 Strip along(int cells) {
     const double spacing = 1.0 / cells;
     return {meshes::grid(cells + 1, cells / 4 + 1, spacing), 1.5 * spacing, 1.0};
 }
 
-/// The same with the longer edge in the direction that rows of the grid follow each other.
+// The same with the longer edge in the direction that rows of the grid follow each other.
 Strip acrossRows(int cells) {
     const double spacing = 1.0 / cells;
     Strip strip{meshes::grid(cells / 4 + 1, cells + 1, spacing), 1.5 * spacing, 1.0};
@@ -181,7 +181,7 @@ Strip irregularStrip(int cells, unsigned seed, const Disorder& disorder) {
     return {meshes::irregular(cells + 1, cells / 4 + 1, spacing, seed, disorder), 1.5 * spacing, 1.0};
 }
 
-/// A strip cut out of a grid at 45 degrees, half cells at both ends; the weave is turned with the grid.
+// A strip cut out of a grid at 45 degrees, half cells at both ends; the weave is turned with the grid.
 Strip bias(int cells) {
     const double spacing = 1.0 / (2 * cells);  // of rows, and of columns of nodes
     const int rows = cells / 2 + 1;
@@ -213,7 +213,7 @@ Strip bias(int cells) {
     return {meshes::rotated(mesh, 45 * degree), 1.5 * spacing, 1.0};
 }
 
-/// Deflection of the middle of a square plate under an even load, over that of the exact one.
+// Deflection of the middle of a square plate under an even load, over that of the exact one.
 double plate(const LaidOut& mesh, int cells, bool clamped) {
     std::vector<bool> held;
     for (int row = 0; row <= cells; ++row)
@@ -228,7 +228,7 @@ double plate(const LaidOut& mesh, int cells, bool clamped) {
     return heights[index(meshes::nodeAt(cells / 2, cells / 2, cells + 1))] / (exact * std::pow(side, 4));
 }
 
-/// Energy of a bend in one direction, in all inner elements, over that of the cloth.
+// Energy of a bend in one direction, in all inner elements, over that of the cloth.
 double bendRatio(const LaidOut& mesh, double direction) {
     const Eigen::Vector2d normal(std::cos(direction), std::sin(direction));
     const auto heights = sampled(

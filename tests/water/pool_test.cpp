@@ -133,7 +133,7 @@ TEST(Pool, WetsOnlyInsideItsRectangleWhicheverWayIsUp) {
     }
 }
 
-/// Share of a level cloth at height 0 that is under water.
+// Share of a level cloth at height 0 that is under water.
 double fractionAt(double level, double dt = 0.1) {
     Cloth cloth(1, 4);
     Pool pool(level);
@@ -157,7 +157,7 @@ TEST(Pool, CoversANodeSmoothlyFromOneCentimetreAboveItsLevelToOneBelow) {
     }
 }
 
-/// Film of a level cloth of that floating share above a level, kg/m2.
+// Film of a level cloth of that floating share above a level, kg/m2.
 double filmAbove(double height, double floatingFraction) {
     Cloth cloth(1, 4);
     cloth.floatingFraction = floatingFraction;

@@ -23,7 +23,7 @@ namespace drench::test {
 constexpr double pi = 3.14159265358979323846;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// A shelter that counts how often it is asked.
+// A shelter that counts how often it is asked.
 struct CountingShelter final : Shelter {
     std::function<bool(const Eigen::Vector3d&, const Eigen::Vector3d&)> blocks = [](auto&, auto&) {
         return false;
@@ -35,19 +35,19 @@ struct CountingShelter final : Shelter {
     }
 };
 
-/// A square of cloth on a grid that keeps its own water and writes down what it is given.
+// A square of cloth on a grid that keeps its own water and writes down what it is given.
 struct Cloth final : Supply {
     ClothMesh mesh;
     std::vector<Eigen::Vector3d> positions, velocities;
     std::vector<std::vector<int>> trianglesAround;
     std::vector<double> poreMass, filmMass, covered, submerged;
-    std::vector<Eigen::Vector3d> arrivals;  ///< velocities of what came with one
+    std::vector<Eigen::Vector3d> arrivals;  // velocities of what came with one
     double poreCapacity = 0.3, wettingTime = 2, gravity = 9.81, floatingFraction = 1;
     Eigen::Vector3d up = {0, 1, 0};
     CountingShelter shelter;
     double taken = 0;
 
-    /// Lies level from (0, 0, 0) to (side, 0, side), u along x and v along z.
+    // Lies level from (0, 0, 0) to (side, 0, side), u along x and v along z.
     Cloth(double side, int cells) {
         const int row = cells + 1;
         std::vector<Eigen::Vector2d> flat;
@@ -100,12 +100,12 @@ struct Cloth final : Supply {
     void move(const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& to) {
         for (Eigen::Vector3d& position : positions) position = to(position);
     }
-    /// Full pores.
+    // Full pores.
     void fill() {
         for (std::size_t node = 0; node < mesh.size(); ++node)
             poreMass[node] = poreCapacity * mesh.areas[node];
     }
-    /// As a step does: film into pores.
+    // As a step does: film into pores.
     void absorb(double dt) {
         for (std::size_t node = 0; node < mesh.size(); ++node) {
             const double missing = poreCapacity * mesh.areas[node] - poreMass[node];
@@ -149,12 +149,12 @@ struct Cloth final : Supply {
     }
 };
 
-/// Steps a source on a cloth.
+// Steps a source on a cloth.
 inline void run(Source& source, Cloth& cloth, double dt, int steps) {
     for (int step = 0; step < steps; ++step) source.supply(cloth.pose(), dt, cloth);
 }
 
-/// What a function complains of.
+// What a function complains of.
 inline std::string complaint(const std::function<void()>& act) {
     try {
         act();
@@ -164,7 +164,7 @@ inline std::string complaint(const std::function<void()>& act) {
     return "nothing";
 }
 
-/// Whether a source refuses to be on a sheet, in words that name the setting; and gives nothing then.
+// Whether a source refuses to be on a sheet, in words that name the setting; and gives nothing then.
 inline void expectRefusal(Source& source, const std::string& named) {
     Cloth cloth(1, 2);
     for (const double dt : {0.0, 1.0}) {

@@ -29,20 +29,20 @@ Gusts gusts(std::uint32_t seed) {
     return {{speed, 0, 0}, intensity, lengthScale, seed};
 }
 
-/// von Karman's, along the wind, one-sided, m2/s2 per Hz.
+// von Karman's, along the wind, one-sided, m2/s2 per Hz.
 double vonKarmanAlong(double frequency) {
     const double reduced = frequency * lengthScale / speed;
     return 4 * deviation * deviation * lengthScale / speed / std::pow(1 + 70.8 * reduced * reduced, 5.0 / 6);
 }
 
-/// The same across the wind.
+// The same across the wind.
 double vonKarmanAcross(double frequency) {
     const double reduced = frequency * lengthScale / speed, square = 70.8 * reduced * reduced;
     return 2 * deviation * deviation * lengthScale / speed * (1 + 8.0 / 3 * square) /
            std::pow(1 + square, 11.0 / 6);
 }
 
-/// Mean over many seeds of the spectra at a fixed place, by Fourier transforms under Hann windows.
+// Mean over many seeds of the spectra at a fixed place, by Fourier transforms under Hann windows.
 struct Spectrum {
     static constexpr int samples = 2048, seeds = 400;
     static constexpr double step = 0.01;  // s
@@ -61,7 +61,7 @@ struct Spectrum {
             add(acrossRecord, across);
         }
     }
-    /// Of a mean square of 1.
+    // Of a mean square of 1.
     static double window(int i) { return std::sqrt(2.0 / 3) * (1 - std::cos(2 * pi * i / samples)); }
     static void add(const std::vector<double>& record, std::vector<double>& sum) {
         Eigen::FFT<double> transform;
@@ -70,7 +70,7 @@ struct Spectrum {
         for (std::size_t i = 0; i < sum.size(); ++i)
             sum[i] += 2 * std::norm(lines[i]) * step / samples / seeds;
     }
-    /// Over what the formula has there, in the mean over a band of frequencies.
+    // Over what the formula has there, in the mean over a band of frequencies.
     static double ratio(const std::vector<double>& spectrum, double (*formula)(double), double from,
                         double to) {
         double found = 0, wanted = 0;

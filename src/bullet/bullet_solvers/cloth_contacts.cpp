@@ -16,12 +16,12 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-/// Whether Bullet looks for contacts of two soft bodies.
+// Whether Bullet looks for contacts of two soft bodies.
 bool meet(const btSoftBody& body, const btSoftBody& other, int kind) {
     return &body != &other && (body.m_cfg.collisions & other.m_cfg.collisions & kind);
 }
 
-/// The mechanics of a sheet that Bullet moves and that the world's filters let meet the body; none for anything else.
+// The mechanics of a sheet that Bullet moves and that the world's filters let meet the body; none for anything else.
 SheetMechanics* mechanicsOfPartner(btDiscreteDynamicsWorld& world, const btSoftBody& body,
                                    btSoftBody& other) {
     SheetMechanics* const mechanics = BodyWatch::mechanicsOf(other);
@@ -160,7 +160,7 @@ void ClothContacts::findFaces(btSoftBody::Node& node) {
     if (near_.size() > 1) keepFacing(node);
 }
 
-/// Puts the nearest face first, and leaves of the others those whose nearest point rises above it.
+// Puts the nearest face first, and leaves of the others those whose nearest point rises above it.
 void ClothContacts::keepFacing(const btSoftBody::Node& node) {
     const auto nearest = std::min_element(near_.begin(), near_.end(),
                                           [](const Near& a, const Near& b) { return a.gap < b.gap; });
@@ -218,7 +218,7 @@ void ClothContacts::solve(btSoftBody::Node& node, const Near& near, bool isNeare
     push(corners, displacement / response);
 }
 
-/// For those who look through Bullet's lists; Bullet does nothing about it.
+// For those who look through Bullet's lists; Bullet does nothing about it.
 void ClothContacts::list(btSoftBody::Node& node, const Near& near) const {
     if (mover_ == Mover::stockSolver) {
         body_->m_scontacts.push_back(silentContact(node, *near.face, near.weights, near.normal,
@@ -245,7 +245,7 @@ double ClothContacts::adhesionOf(std::size_t node, const Near& near) const {
            sheetFriction_->area(node);
 }
 
-/// Takes overlapping sheets apart.
+// Takes overlapping sheets apart.
 void ClothContacts::lift(const Corner (&corners)[4], const btVector3& displacement) {
     for (const Corner& corner : corners) {
         const btVector3 by = displacement * (corner.weight * corner.inverseMass);
@@ -254,7 +254,7 @@ void ClothContacts::lift(const Corner (&corners)[4], const btVector3& displaceme
     }
 }
 
-/// Moves nodes as a force would.
+// Moves nodes as a force would.
 void ClothContacts::push(const Corner (&corners)[4], const btVector3& displacement) const {
     for (const Corner& corner : corners) {
         const btVector3 by = displacement * (corner.weight * corner.inverseMass);

@@ -13,25 +13,25 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Holds the nodes of a sheet off the faces of other sheets with a WetCloth, with wet friction and cling, once a
-/// substep, before Bullet solves anything. Normals are those of the substep's start, so that nodes do not get
-/// through a sheet within it. Bullet's own contacts of these nodes with those sheets make way for these. (In the
-/// deformable world only where no other soft body has fCollision::VF_DD; else they come on top, with the product of
-/// both m_cfg.kDF for friction.) Other soft bodies meet the sheet by Bullet alone. A sheet that sleeps holds others as
-/// something fixed. What solids push is felt by the next sheet one substep later.
+// Holds the nodes of a sheet off the faces of other sheets with a WetCloth, with wet friction and cling, once a
+// substep, before Bullet solves anything. Normals are those of the substep's start, so that nodes do not get
+// through a sheet within it. Bullet's own contacts of these nodes with those sheets make way for these. (In the
+// deformable world only where no other soft body has fCollision::VF_DD; else they come on top, with the product of
+// both m_cfg.kDF for friction.) Other soft bodies meet the sheet by Bullet alone. A sheet that sleeps holds others as
+// something fixed. What solids push is felt by the next sheet one substep later.
 class ClothContacts {
   public:
-    /// What moves the sheets.
+    // What moves the sheets.
     enum class Mover { stockSolver, explicitWorld, implicitWorld };
 
-    /// @param substep  of the body, s
-    /// @pre the body is awake and in the world; its nodes are, or have velocities to get, where the substep would end
-    /// without contacts
+    // @param substep  of the body, s
+    // @pre the body is awake and in the world; its nodes are, or have velocities to get, where the substep would end
+    // without contacts
     void solve(btDiscreteDynamicsWorld& world, btSoftBody& body, Friction& sheetFriction, Mover mover,
                double substep);
 
   private:
-    /// Another sheet.
+    // Another sheet.
     struct Partner {
         btSoftBody* body;
         const Friction* sheetFriction;
@@ -39,7 +39,7 @@ class ClothContacts {
         btScalar friction;               // coefficient when dry, 1
         btVector3 minMotion, maxMotion;  // of any node, m
     };
-    /// The nearest point of a face.
+    // The nearest point of a face.
     struct Near {
         const Partner* partner;
         btSoftBody::Face* face;

@@ -15,7 +15,7 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Calls `use(node, contact)` for each contact of a node with something solid, `contact` a btSoftBody::sCti.
+// Calls `use(node, contact)` for each contact of a node with something solid, `contact` a btSoftBody::sCti.
 template <typename Use>
 void forEachSolidContact(const btSoftBody& body, Use use) {
     for (int i = 0; i < body.m_rcontacts.size(); ++i)
@@ -24,8 +24,8 @@ void forEachSolidContact(const btSoftBody& body, Use use) {
         use(body.m_nodeRigidContacts[i].m_node, body.m_nodeRigidContacts[i].m_cti);
 }
 
-/// Calls `use(node, face, weights)` for each contact of a node of the body with a face of another, or of its
-/// own, at the given weights of the face's corners.
+// Calls `use(node, face, weights)` for each contact of a node of the body with a face of another, or of its
+// own, at the given weights of the face's corners.
 template <typename Use>
 void forEachSoftContact(const btSoftBody& body, Use use) {
     for (int i = 0; i < body.m_scontacts.size(); ++i)
@@ -35,12 +35,12 @@ void forEachSoftContact(const btSoftBody& body, Use use) {
             body.m_faceNodeContacts[i].m_bary);
 }
 
-/// Bullet finds contacts in the order of its trees and of its list of pairs, which depends on what has been where before,
-/// and on addresses in memory. As contacts are solved one after the other, the order is part of the result; here it
-/// is that of the nodes or faces, and for one of these that of the solids in the world.
+// Bullet finds contacts in the order of its trees and of its list of pairs, which depends on what has been where before,
+// and on addresses in memory. As contacts are solved one after the other, the order is part of the result; here it
+// is that of the nodes or faces, and for one of these that of the solids in the world.
 class ContactOrder {
   public:
-    /// @param ownerOf  of a contact: the node or face that it is of, in the array of its body
+    // @param ownerOf  of a contact: the node or face that it is of, in the array of its body
     template <typename Contact, typename OwnerOf>
     void sort(btAlignedObjectArray<Contact>& contacts, OwnerOf ownerOf) {
         keys_.clear();
@@ -54,7 +54,7 @@ class ContactOrder {
   private:
     using Key = std::tuple<const void*, int, int>;  // owner, solid, and where it is: so no two are alike
 
-    /// Contacts are large, so each is moved once: along the ring of places that begins at one.
+    // Contacts are large, so each is moved once: along the ring of places that begins at one.
     template <typename Contact>
     void place(btAlignedObjectArray<Contact>& contacts, int start) {
         const auto sourceOf = [&](int at) -> int& {

@@ -11,13 +11,13 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-/// A solid that gives way when it is pushed; none for one that does not.
+// A solid that gives way when it is pushed; none for one that does not.
 btRigidBody* pushable(const btCollisionObject& object) {
     const btRigidBody* const body = movingBody(object);
     return body && !body->isStaticOrKinematicObject() ? const_cast<btRigidBody*>(body) : nullptr;
 }
 
-/// An impulse between a node and a solid at the node's place.
+// An impulse between a node and a solid at the node's place.
 void exchange(btSoftBody::Node& node, const btCollisionObject& solid, const btVector3& impulse,
               bool implicit) {
     node.m_v += impulse * node.m_im;

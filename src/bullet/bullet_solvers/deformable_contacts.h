@@ -14,15 +14,15 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Gives the contacts that Bullet has found, before it solves them, the friction coefficient of each node, as
-/// Bullet's friction is Coulomb's there. A bond pulls its node to the surface by what it has: where the node
-/// touches, the contact pushes back, with more friction; where it does not, no farther than to the surface.
-/// In implicit steps bonds away from the surface have no friction. With triangle meshes there is no bond outside of
-/// contact, with links of a btMultiBody none at all.
+// Gives the contacts that Bullet has found, before it solves them, the friction coefficient of each node, as
+// Bullet's friction is Coulomb's there. A bond pulls its node to the surface by what it has: where the node
+// touches, the contact pushes back, with more friction; where it does not, no farther than to the surface.
+// In implicit steps bonds away from the surface have no friction. With triangle meshes there is no bond outside of
+// contact, with links of a btMultiBody none at all.
 class DeformableContacts {
   public:
-    /// @param implicit  whether the world is
-    /// @pre the body is in the world; velocities are those that the substep would end with without contacts
+    // @param implicit  whether the world is
+    // @pre the body is in the world; velocities are those that the substep would end with without contacts
     void rewrite(const btCollisionWorld& world, btSoftBody& body, Friction& sheetFriction, btScalar substep,
                  bool implicit);
 

@@ -19,15 +19,15 @@ namespace {
 using Collision = btSoftBody::fCollision;
 constexpr int deformableCollisions = Collision::SDF_RD | Collision::SDF_RDN;
 
-/// A little less than 2 over the largest frequency, where an explicit step begins to swing up.
+// A little less than 2 over the largest frequency, where an explicit step begins to swing up.
 double explicitStepBound(double largestSquaredFrequency) {
     constexpr double safety = 0.9;
     return largestSquaredFrequency > 0 ? safety * 2 / std::sqrt(largestSquaredFrequency)
                                        : std::numeric_limits<double>::infinity();
 }
 
-/// Anchors keep the inverse mass that their node had when they were made. Those to a multibody refresh all
-/// but one of these values themselves.
+// Anchors keep the inverse mass that their node had when they were made. Those to a multibody refresh all
+// but one of these values themselves.
 void refreshAnchors(btSoftBody& body) {
     for (int i = 0; i < body.m_deformableAnchors.size(); ++i) {
         btSoftBody::DeformableNodeRigidAnchor& anchor = body.m_deformableAnchors[i];
@@ -40,8 +40,8 @@ void refreshAnchors(btSoftBody& body) {
     }
 }
 
-/// A world destroyed before its sheet leaves the sheet's force in a list that another world may yet step
-/// through, if it gets the same solver; so such forces stay, doing nothing.
+// A world destroyed before its sheet leaves the sheet's force in a list that another world may yet step
+// through, if it gets the same solver; so such forces stay, doing nothing.
 void keepForGood(std::unique_ptr<WetSpringForce> force) {
     static std::mutex mutex;  // worlds may end in different threads
     static auto& kept = *new std::vector<std::unique_ptr<WetSpringForce>>;

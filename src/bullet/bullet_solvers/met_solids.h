@@ -22,7 +22,7 @@ class MetSolids {
     };
 
     void begin(const btCollisionWorld& world, const btSoftBody& body, const Friction& sheetFriction);
-    /// @param object  by its address; it may be gone. The answer is good until the next is asked for
+    // @param object  by its address; it may be gone. The answer is good until the next is asked for
     const Met& at(const btCollisionObject* object);
 
   private:
@@ -33,11 +33,11 @@ class MetSolids {
     std::size_t last_ = 0;
 };
 
-/// The nearest surface of a solid that is convex or made of convex parts, by the distance field in which Bullet
-/// finds contacts; infinitely far for others.
+// The nearest surface of a solid that is convex or made of convex parts, by the distance field in which Bullet
+// finds contacts; infinitely far for others.
 SurfacePoint nearestSurfaceOf(const btCollisionObject& solid, const btVector3& point, btSparseSdf<3>& field);
 
-/// Velocity of a solid at a place in the world, m/s.
+// Velocity of a solid at a place in the world, m/s.
 btVector3 velocityAt(const btCollisionObject& solid, const btVector3& point);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -11,19 +11,19 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-/// Moves a node as a force would, for Bullet to make velocities of it: from places, or before that.
+// Moves a node as a force would, for Bullet to make velocities of it: from places, or before that.
 void displace(btSoftBody::Node& node, const btVector3& by, btScalar substep) {
     node.m_x += by;
     node.m_v += by / substep;
 }
 
-/// Moves it without a velocity.
+// Moves it without a velocity.
 void lift(btSoftBody::Node& node, const btVector3& by) {
     node.m_x += by;
     node.m_q += by;
 }
 
-/// Has Bullet do nothing about a contact.
+// Has Bullet do nothing about a contact.
 void silence(btSoftBody::RContact& contact) {
     contact.m_c0 = btMatrix3x3(0, 0, 0, 0, 0, 0, 0, 0, 0);
     contact.m_c2 = 0;
@@ -87,7 +87,7 @@ void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, con
          sheetFriction.friction(met.surface, index)});
 }
 
-/// What faces a node by several parts, as a floor of boxes or triangles does, presses and clings once.
+// What faces a node by several parts, as a floor of boxes or triangles does, presses and clings once.
 void StockContacts::add(const Held& held) {
     int& at = heldAt_[static_cast<std::size_t>(held.node)];
     if (at >= 0) {

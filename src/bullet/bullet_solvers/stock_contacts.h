@@ -17,21 +17,21 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-/// Rewrites the contacts that Bullet has found, before it solves them, so that each stops its node on the way
-/// to the solid and nothing else. Friction and the pull of bonds are done here, at once. As Bullet solves links
-/// after contacts, they pull nodes into solids and along them; here those are lifted out again, and those that
-/// friction holds put back, without a velocity. Contacts with links of a btMultiBody stay Bullet's; with
-/// triangle meshes there is friction, but no bond outside of contact.
+// Rewrites the contacts that Bullet has found, before it solves them, so that each stops its node on the way
+// to the solid and nothing else. Friction and the pull of bonds are done here, at once. As Bullet solves links
+// after contacts, they pull nodes into solids and along them; here those are lifted out again, and those that
+// friction holds put back, without a velocity. Contacts with links of a btMultiBody stay Bullet's; with
+// triangle meshes there is friction, but no bond outside of contact.
 class StockContacts {
   public:
-    /// @pre the body is in the world, and its solids are where they are as the substep ends
+    // @pre the body is in the world, and its solids are where they are as the substep ends
     void rewrite(const btCollisionWorld& world, btSoftBody& body, Friction& sheetFriction);
 
   private:
     friend class BulletPass;
     void state(BulletPass& pass);
 
-    /// A node that a solid may hold.
+    // A node that a solid may hold.
     struct Held {
         int node;
         std::size_t solid;  // index
@@ -41,7 +41,7 @@ class StockContacts {
         double adhesion;  // N
         double friction;  // coefficient, 1
     };
-    /// Where friction has held a node.
+    // Where friction has held a node.
     struct Stuck {
         const btCollisionObject* object = nullptr;
         btVector3 position = btVector3(0, 0, 0);  // as the object sees it
@@ -51,7 +51,7 @@ class StockContacts {
     void add(const Held& held);
     void findAdhering(btSoftBody& body, const Friction& sheetFriction);
     void hold(btSoftBody& body, const Held& held, btScalar reach);
-    /// Puts a node that friction holds back along the surface to where it has held it before.
+    // Puts a node that friction holds back along the surface to where it has held it before.
     void stick(btSoftBody& body, const Held& held);
 
     ContactOrder order_;

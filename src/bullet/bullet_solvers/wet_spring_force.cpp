@@ -61,7 +61,7 @@ void WetSpringForce::release() {
     m_softBodies.clear();
 }
 
-/// Bullet calls this at the start of each step, and when a body is removed, while it goes through its list.
+// Bullet calls this at the start of each step, and when a body is removed, while it goes through its list.
 void WetSpringForce::reinitialize(bool nodeUpdated) {
     if (m_softBodies.size() > 0 || !list_) return;
     List& list = *list_;
@@ -112,8 +112,8 @@ bool WetSpringForce::pulls() const {
            m_softBodies[0]->m_nodes.size() == static_cast<int>(positions_.size());
 }
 
-/// Reads where the nodes are, or where Bullet predicts them to be, and sets each spring's tension and
-/// stiffness there.
+// Reads where the nodes are, or where Bullet predicts them to be, and sets each spring's tension and
+// stiffness there.
 void WetSpringForce::gather(bool predicted) {
     const btSoftBody& body = *m_softBodies[0];
     first_ = body.m_nodes[0].index;
@@ -163,7 +163,7 @@ void WetSpringForce::addScaledExplicitForce(btScalar scale, TVStack& force) {
     addForces(scale, force);
 }
 
-/// Where the forces were last added, which Bullet does right before it solves.
+// Where the forces were last added, which Bullet does right before it solves.
 void WetSpringForce::addScaledElasticForceDifferential(btScalar scale, const TVStack& dx, TVStack& df) {
     if (!pulls()) return;
     for (const Spring& spring : springs_) {
@@ -180,8 +180,8 @@ void WetSpringForce::addScaledElasticForceDifferential(btScalar scale, const TVS
         scale, [this, &dx](int node) -> const btVector3& { return dx[first_ + node]; }, df);
 }
 
-/// What a node on its own has of stiffness beside its mass. Bullet divides by the two together where it
-/// predicts and stops a node that touches something; by the mass alone, implicit contacts blow up.
+// What a node on its own has of stiffness beside its mass. Bullet divides by the two together where it
+// predicts and stops a node that touches something; by the mass alone, implicit contacts blow up.
 void WetSpringForce::addScaledHessian(btScalar scale) {
     if (!pulls()) return;
     btSoftBody& body = *m_softBodies[0];

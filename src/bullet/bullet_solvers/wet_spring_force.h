@@ -13,39 +13,39 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Stretch and shear along the links, k (length - rest) each, and bending as the plates of plate_bending.h.
-/// The body's bending links are left out, as a spring across two cells is no bending at small angles.
-///
-/// The differential, which the implicit solver wants positive, leaves out what a shortened spring would do
-/// across itself (it buckles); that of the plates is constant and never negative.
-///
-/// Joins the solver's list of forces itself rather than through the world's addForce, which would hand the
-/// body of a second force of the same type to the first one. It leaves the list as soon as its body has left
-/// the world.
+// Stretch and shear along the links, k (length - rest) each, and bending as the plates of plate_bending.h.
+// The body's bending links are left out, as a spring across two cells is no bending at small angles.
+//
+// The differential, which the implicit solver wants positive, leaves out what a shortened spring would do
+// across itself (it buckles); that of the plates is constant and never negative.
+//
+// Joins the solver's list of forces itself rather than through the world's addForce, which would hand the
+// body of a second force of the same type to the first one. It leaves the list as soon as its body has left
+// the world.
 class WetSpringForce final : public btDeformableLagrangianForce {
   public:
     using List = btAlignedObjectArray<btDeformableLagrangianForce*>;
 
-    /// @param mechanics  outlives this
+    // @param mechanics  outlives this
     explicit WetSpringForce(const SheetMechanics& mechanics);
     ~WetSpringForce() override = default;
     WetSpringForce(const WetSpringForce&) = delete;
     WetSpringForce& operator=(const WetSpringForce&) = delete;
 
-    /// Takes part in the steps of the solver whose list this is, on `body`. May be called again at any time.
+    // Takes part in the steps of the solver whose list this is, on `body`. May be called again at any time.
     void join(List& list, const btAlignedObjectArray<btSoftBody::Node*>& nodes, btSoftBody& body);
     bool hasJoined() const { return list_ != nullptr; }
-    /// Ends that. @pre the solver exists
+    // Ends that. @pre the solver exists
     void leave();
-    /// From now on pulls at nothing; if it is still in a list, it leaves at the solver's next step.
+    // From now on pulls at nothing; if it is still in a list, it leaves at the solver's next step.
     void release();
 
-    /// Reads stiffness off the mechanics, as of this substep.
+    // Reads stiffness off the mechanics, as of this substep.
     void update();
 
-    /// Upper bound of the square of the sheet's angular frequencies, 1/s2, in any pose and without pins, for
-    /// stiffness that is `stretchRatio` and `bendingRatio` times that of the dry cloth (Gershgorin).
-    /// @param masses  of its nodes, kg
+    // Upper bound of the square of the sheet's angular frequencies, 1/s2, in any pose and without pins, for
+    // stiffness that is `stretchRatio` and `bendingRatio` times that of the dry cloth (Gershgorin).
+    // @param masses  of its nodes, kg
     double largestSquaredFrequency(const std::vector<double>& masses, double stretchRatio,
                                    double bendingRatio) const;
 
@@ -80,7 +80,7 @@ class WetSpringForce final : public btDeformableLagrangianForce {
         double dryStiffness;     // B area, N m3
         btScalar stiffness = 0;  // N m3
 
-        /// Sum over its nodes, relative to the first: the weights of a curvature add up to nothing.
+        // Sum over its nodes, relative to the first: the weights of a curvature add up to nothing.
         template <typename Position>
         btVector3 curvature(std::size_t which, const Position& position) const;
     };

@@ -13,15 +13,15 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 // the node from there is none of its surface, and would stop a node that slides along. So of what a node might touch
 // the nearest part counts, and of the others those that rise above its plane.
 
-/// Whether a part rises above the plane of the nearest one.
-/// @param height  of its highest point over that plane, m
-/// @param margin  of the contact, m; a tenth of it counts as level
+// Whether a part rises above the plane of the nearest one.
+// @param height  of its highest point over that plane, m
+// @param margin  of the contact, m; a tenth of it counts as level
 inline bool risesAbove(btScalar height, btScalar margin) {
     constexpr auto level = btScalar(0.1);
     return !(height < level * margin);
 }
 
-/// Whether two parts face a node from about the same side, within 45 degrees, and so press on it once.
+// Whether two parts face a node from about the same side, within 45 degrees, and so press on it once.
 inline bool faceAlike(const btVector3& normal, const btVector3& other) {
     constexpr auto alike = btScalar(0.7);
     return normal.dot(other) > alike;

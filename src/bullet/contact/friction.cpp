@@ -11,7 +11,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-/// A bond is no shorter than the water between two faces is thick, and no longer than looks like touching.
+// A bond is no shorter than the water between two faces is thick, and no longer than looks like touching.
 constexpr double shortestReach = 1e-3, longestReach = 1e-2;  // m
 
 double nodeDistance(const ClothMesh& mesh) {

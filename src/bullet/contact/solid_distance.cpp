@@ -18,7 +18,7 @@ namespace {
 
 const btVector3 anyDirection(0, 1, 0);
 
-/// Seen from a centre or an axis that the surface surrounds at `radius`.
+// Seen from a centre or an axis that the surface surrounds at `radius`.
 SurfacePoint around(const btVector3& offset, btScalar radius) {
     const btScalar length = offset.length();
     return {length - radius, length > SIMD_EPSILON ? offset / length : anyDirection};
@@ -64,7 +64,7 @@ SurfacePoint ofConvex(const btConvexShape& shape, const btVector3& point, btSpar
 
 using Triangle = std::array<btVector3, 3>;
 
-/// Of the six points that Bullet makes of a triangle, three are on either side.
+// Of the six points that Bullet makes of a triangle, three are on either side.
 Triangle triangleOf(const btCollisionShape& hull) {
     const auto& points = static_cast<const btConvexHullShape&>(hull);
     Triangle corners;

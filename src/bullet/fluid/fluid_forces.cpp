@@ -15,7 +15,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-/// Under water across a sheet of that area, kg/m2; see FluidForces.
+// Under water across a sheet of that area, kg/m2; see FluidForces.
 double addedMassOf(double area) {
     constexpr double widest = 0.1;  // m
     constexpr double quarterOfPi = 0.785398163397448;
@@ -103,8 +103,8 @@ void FluidForces::evaluate(const btSoftBody& body, const Around& around) {
     isGoingOn_ = true;
 }
 
-/// A sheet that is held somewhere, or has slept, begins in balance; any other as falling. Writes down a last
-/// substep of which `gather` finds just that.
+// A sheet that is held somewhere, or has slept, begins in balance; any other as falling. Writes down a last
+// substep of which `gather` finds just that.
 void FluidForces::begin(const btSoftBody& body, const Around& around) {
     bool isHeld = hasRested_ || body.m_anchors.size() > 0;
     for (int n = 0; !isHeld && n < body.m_nodes.size(); ++n) isHeld = !(body.m_nodes[n].m_im > 0);
@@ -120,11 +120,11 @@ void FluidForces::begin(const btSoftBody& body, const Around& around) {
     lastSubstep_ = float(around.substep);
 }
 
-/// Notes what the last substep says of each node, and what it is like in air, in one pass over all arrays.
-///
-/// The estimate lags behind. A mean over several substeps keeps that from driving what vibrates from one
-/// substep to the next: 0.2 does in air, up to drag that would stop the cloth in a third of a substep. In
-/// water, which goes along and slows vibrations, 0.5 does, and a wrong estimate is sooner forgotten.
+// Notes what the last substep says of each node, and what it is like in air, in one pass over all arrays.
+//
+// The estimate lags behind. A mean over several substeps keeps that from driving what vibrates from one
+// substep to the next: 0.2 does in air, up to drag that would stop the cloth in a third of a substep. In
+// water, which goes along and slows vibrations, 0.5 does, and a wrong estimate is sooner forgotten.
 void FluidForces::gather(const Around& around) {
     constexpr float newestInAir = 0.2f, newestInWater = 0.5f;  // shares in the mean
     constexpr float absurd = 1e6f;  // m/s2; of a substep that comes to nothing sensible nothing is learnt
@@ -159,10 +159,10 @@ void FluidForces::gather(const Around& around) {
     }
 }
 
-/// Part of a node's estimated acceleration that something else takes up. The force of water that goes along
-/// rests on the estimate and whatever holds a node answers that force, so that the two could confirm each other
-/// for long: cloth that lands would be weightless for seconds. But a node that does not go where it is meant
-/// to go, in the mean over a while, is held.
+// Part of a node's estimated acceleration that something else takes up. The force of water that goes along
+// rests on the estimate and whatever holds a node answers that force, so that the two could confirm each other
+// for long: cloth that lands would be weightless for seconds. But a node that does not go where it is meant
+// to go, in the mean over a while, is held.
 Eigen::Array4f FluidForces::answered(std::size_t node, const Eigen::Array4f& meant,
                                      const Eigen::Array4f& change) {
     constexpr float awhile = 0.1f, tiny = 1e-12f;  // s (assumed); m2/s4
@@ -195,7 +195,7 @@ void FluidForces::gatherWater(const Around& around) {
     }
 }
 
-/// Puts a share of a node, as `gather` has left it, under water.
+// Puts a share of a node, as `gather` has left it, under water.
 void FluidForces::immerse(std::size_t node, float fraction, float displacedOverMass, const Around& around) {
     FluidNode& fluid = fluid_[node];
     fluid.fractionBefore = isGoingOn_ ? std::min(fluid.fraction, fraction) : fraction;
@@ -212,14 +212,14 @@ void FluidForces::immerse(std::size_t node, float fraction, float displacedOverM
     fluid.permeability += (float(waterPermeability_) - fluid.permeability) * fraction;
 }
 
-/// Water whose place a node takes when all of it is under, kg.
+// Water whose place a node takes when all of it is under, kg.
 float FluidForces::maxDisplaced(std::size_t node, const Around& around) const {
     return float(double(areas_[node]) * fibrePerArea_ + around.moisture.poreCapacity(node) +
                  around.moisture.filmMass()[node]);
 }
 
-/// Share of a node under water at the end of the substep, to first order: a lift that is as strong as where the
-/// node has been would make what floats bob ever higher.
+// Share of a node under water at the end of the substep, to first order: a lift that is as strong as where the
+// node has been would make what floats bob ever higher.
 float FluidForces::fractionAtEnd(std::size_t node, float displacedOverMass, const Around& around) const {
     const auto dt = float(around.substep), gravity = float(around.pose.gravity);
     const PackedVector up = packed(around.pose.up);
@@ -237,8 +237,8 @@ float FluidForces::fractionAtEnd(std::size_t node, float displacedOverMass, cons
                       0.0f, 1.0f);
 }
 
-/// What holds a node answers any change of its weight at once, as far as it has held it: without knowing that,
-/// water that goes along would.
+// What holds a node answers any change of its weight at once, as far as it has held it: without knowing that,
+// water that goes along would.
 void FluidForces::answerLift(std::size_t node, float lifted) {
     constexpr float nothing = 0.01f;  // m2/s4
     OtherAcceleration& acceleration = accelerations_[node];

@@ -19,27 +19,27 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-/// The air and the water around one sheet.
-///
-/// Per face F = -1/2 rho A (C_n |u_n| u_n n + C_t |u_t| u_t), u the velocity of the face against the fluid,
-/// rho its density. Fluid leaks through the cloth: the pressure is that of the speed which is left after the
-/// leak, and the leak that of the pressure (Darcy). Where a share of a node is under water, density, velocity
-/// and permeability are those of the mixture. Water also moves along across the face, pi/4 rho L per area
-/// (Lamb 1932, "Hydrodynamics": a plate of width L), L the smaller of the root of the sheet's area and 0.1 m
-/// (assumed: cloth folds at that scale). Per node the water lifts what it displaces: fibre, full pores whether
-/// water or air is in them, and film.
-///
-/// Drag is taken at the end of the substep. For that each node has an estimate of its acceleration by all else
-/// than drag and added mass: gravity and buoyancy as they are, and the mean over the last substeps of what
-/// links, contacts and the application have done. So drag is right where nothing changes, for cloth that falls
-/// steadily as for cloth that is held; it may stop the relative motion but never reverses it. Added mass acts
-/// on the same estimate, against each change of the velocity, and on cloth that comes into the water, which
-/// then shares its momentum with it.
+// The air and the water around one sheet.
+//
+// Per face F = -1/2 rho A (C_n |u_n| u_n n + C_t |u_t| u_t), u the velocity of the face against the fluid,
+// rho its density. Fluid leaks through the cloth: the pressure is that of the speed which is left after the
+// leak, and the leak that of the pressure (Darcy). Where a share of a node is under water, density, velocity
+// and permeability are those of the mixture. Water also moves along across the face, pi/4 rho L per area
+// (Lamb 1932, "Hydrodynamics": a plate of width L), L the smaller of the root of the sheet's area and 0.1 m
+// (assumed: cloth folds at that scale). Per node the water lifts what it displaces: fibre, full pores whether
+// water or air is in them, and film.
+//
+// Drag is taken at the end of the substep. For that each node has an estimate of its acceleration by all else
+// than drag and added mass: gravity and buoyancy as they are, and the mean over the last substeps of what
+// links, contacts and the application have done. So drag is right where nothing changes, for cloth that falls
+// steadily as for cloth that is held; it may stop the relative motion but never reverses it. Added mass acts
+// on the same estimate, against each change of the velocity, and on cloth that comes into the water, which
+// then shares its momentum with it.
 class FluidForces {
   public:
     FluidForces(const RestShape& shape, const Fabric& fabric);
 
-    /// What a substep needs.
+    // What a substep needs.
     struct Around {
         const WetLaws& laws;
         const std::vector<PackedVector>& winds;  // velocity of the air at each node, m/s
@@ -49,20 +49,20 @@ class FluidForces {
         const Pose& pose;
         double substep;  // s
     };
-    /// Adds to the nodes' forces.
+    // Adds to the nodes' forces.
     void add(btSoftBody& body, const Around& around);
-    /// The same as a change of the nodes' velocities, for a world that ignores forces on nodes.
+    // The same as a change of the nodes' velocities, for a world that ignores forces on nodes.
     void push(btSoftBody& body, const Around& around);
-    /// Forgets the last substep, as the body sleeps.
+    // Forgets the last substep, as the body sleeps.
     void rest() {
         isGoingOn_ = false;
         hasRested_ = true;
     }
 
-    /// Whether water lifts a body that has rested otherwise than when it came to rest.
+    // Whether water lifts a body that has rested otherwise than when it came to rest.
     bool isLiftedOtherwise(const Around& around) const;
 
-    /// See SheetPose.
+    // See SheetPose.
     double floatingFraction() const { return floatingFraction_; }
 
   private:

@@ -9,7 +9,7 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Asks Bullet's ray test. Soft bodies, and things without contact response (triggers), keep nothing off.
+// Asks Bullet's ray test. Soft bodies, and things without contact response (triggers), keep nothing off.
 class RigidShelter final : public Shelter {
   public:
     explicit RigidShelter(const btCollisionWorld& world) : world_(world) {}
@@ -19,7 +19,7 @@ class RigidShelter final : public Shelter {
     const btCollisionWorld& world_;
 };
 
-/// What a ray to solid things hits first; soft bodies and triggers let it pass.
+// What a ray to solid things hits first; soft bodies and triggers let it pass.
 struct SolidRay final : btCollisionWorld::ClosestRayResultCallback {
     SolidRay(const btVector3& from, const btVector3& to);
     bool needsCollision(btBroadphaseProxy* proxy) const override;

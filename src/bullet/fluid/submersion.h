@@ -15,13 +15,13 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-/// Written by the sources of a sheet, read by what pushes it in the same substep, then forgotten.
+// Written by the sources of a sheet, read by what pushes it in the same substep, then forgotten.
 class Submersion {
   public:
     explicit Submersion(std::size_t nodes)
         : isUnder_(nodes, 0), depths_(nodes, 0), velocities_(nodes, PackedVector{0, 0, 0, 0}) {}
 
-    /// Of several waters around a node the deepest counts.
+    // Of several waters around a node the deepest counts.
     void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) {
         if (isUnder_[node] && !(float(depth) > depths_[node])) return;
         if (!isUnder_[node]) nodes_.push_back(node);
@@ -34,13 +34,13 @@ class Submersion {
         nodes_.clear();
     }
 
-    /// Whether a depth of the node is known.
+    // Whether a depth of the node is known.
     bool knows(std::size_t node) const { return isUnder_[node] != 0; }
-    /// Nodes of which a depth is known.
+    // Nodes of which a depth is known.
     const std::vector<std::size_t>& nodes() const { return nodes_; }
-    /// Of such a node, m below the surface.
+    // Of such a node, m below the surface.
     float depth(std::size_t node) const { return depths_[node]; }
-    /// Of the water there, m/s.
+    // Of the water there, m/s.
     const PackedVector& velocity(std::size_t node) const { return velocities_[node]; }
 
   private:

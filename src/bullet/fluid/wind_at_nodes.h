@@ -19,12 +19,12 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-/// Reads the air's field on a coarse lattice around the sheet and keeps the wind off what is behind solids.
+// Reads the air's field on a coarse lattice around the sheet and keeps the wind off what is behind solids.
 class WindAtNodes {
   public:
     explicit WindAtNodes(const ClothMesh& mesh);
 
-    /// Where and when a sheet is.
+    // Where and when a sheet is.
     struct Moment {
         const Pose& pose;
         Eigen::Vector3d origin;  // of the pose's places, m
@@ -32,13 +32,13 @@ class WindAtNodes {
         double step;             // s
         const btCollisionWorld& world;
     };
-    /// @throws std::runtime_error for a field without a sensible velocity or length, and what the field throws;
-    ///     nothing that outlasts the step has then changed
+    // @throws std::runtime_error for a field without a sensible velocity or length, and what the field throws;
+    //     nothing that outlasts the step has then changed
     void evaluate(const Air& air, const Moment& moment);
 
-    /// m/s
+    // m/s
     const std::vector<PackedVector>& velocities() const { return velocities_; }
-    /// Of the cloth, by its nodes' areas, m/s.
+    // Of the cloth, by its nodes' areas, m/s.
     const Eigen::Vector3d& mean() const { return mean_; }
 
   private:
@@ -47,7 +47,7 @@ class WindAtNodes {
 
     static constexpr std::size_t maxPoints = 6;  // of the lattice along an axis
 
-    /// Nodes that are next to each other, and what is upwind of them.
+    // Nodes that are next to each other, and what is upwind of them.
     struct Patch {
         std::vector<std::size_t> nodes;
         std::size_t middle;   // node that the ray starts from

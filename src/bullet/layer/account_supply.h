@@ -17,10 +17,10 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-/// Books in one account of the sheet's moisture, notes the momentum that arrives, and wakes the body.
+// Books in one account of the sheet's moisture, notes the momentum that arrives, and wakes the body.
 class AccountSupply final : public Supply {
   public:
-    /// What it works on, all of which outlives it.
+    // What it works on, all of which outlives it.
     struct Sheet {
         Moisture& moisture;
         std::vector<Arrival>& arrivals;
@@ -28,13 +28,13 @@ class AccountSupply final : public Supply {
         btSoftBody& body;
         const BodyWatch& watch;
     };
-    /// @param momentumFraction  of arriving water that pushes the body: 1 / waterSpeed for a source that runs in
-    ///     water time, since the body is hit by so much less in its own time
-    /// @param noticeable     water beyond which the body wakes, kg; what comes flying always wakes it
+    // @param momentumFraction  of arriving water that pushes the body: 1 / waterSpeed for a source that runs in
+    //     water time, since the body is hit by so much less in its own time
+    // @param noticeable     water beyond which the body wakes, kg; what comes flying always wakes it
     AccountSupply(const Sheet& sheet, std::size_t account, double momentumFraction, double noticeable)
         : sheet_(sheet), account_(account), momentumFraction_(momentumFraction), noticeable_(noticeable) {}
 
-    /// As in the constructor, from now on.
+    // As in the constructor, from now on.
     void setMomentumFraction(double momentumFraction) { momentumFraction_ = momentumFraction; }
 
     void addFilm(std::size_t node, double mass, const Eigen::Vector3d& velocity) override;
@@ -59,7 +59,7 @@ class AccountSupply final : public Supply {
     double unnoticed_ = 0;  // water that has come and gone since it last woke the body, kg
 };
 
-/// Takes nothing and gives nothing.
+// Takes nothing and gives nothing.
 class NoSupply final : public Supply {
   public:
     void addFilm(std::size_t, double, const Eigen::Vector3d&) override {}

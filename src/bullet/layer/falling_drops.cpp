@@ -22,14 +22,14 @@ constexpr double longestFall = 20;  // s
 // A drop starts on the cloth that it leaves, and must not land there at once.
 constexpr double clearance = 0.02;  // m
 
-/// Where a way through the air meets a sheet.
+// Where a way through the air meets a sheet.
 struct Hit {
     double fraction;  // of the way
     int face;
     Eigen::Vector3d weights;  // of the face's corners, at least 0, 1 together
 };
 
-/// Moeller & Trumbore (1997), from both sides; a side that two faces share belongs to both.
+// Moeller & Trumbore (1997), from both sides; a side that two faces share belongs to both.
 std::optional<Hit> meet(const btSoftBody& body, int f, const Eigen::Vector3d& from,
                         const Eigen::Vector3d& displacement) {
     const btSoftBody::Face& face = body.m_faces[f];
@@ -96,7 +96,7 @@ struct FallingDrops::Sheets {
 };
 
 struct FallingDrops::Origins {
-    /// Where a flight began.
+    // Where a flight began.
     struct Origin {
         Eigen::Vector3d position;
         const void* sheet;        // its layer, to be compared only
@@ -196,7 +196,7 @@ void FallingDrops::load(StateReader& reader) {
     massLost_ = saved.massLost;
 }
 
-/// Lands a flight if it meets something on its way. @return whether it does
+// Lands a flight if it meets something on its way. @return whether it does
 bool FallingDrops::land(std::size_t i, const Eigen::Vector3d& to) {
     const Flight& flight = flights_[i];
     const Origins::Origin& origin = origins_->all[i];

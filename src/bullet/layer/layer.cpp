@@ -25,8 +25,8 @@ double checkedWaterSpeed(const char* name, double waterSpeed) {
     refuse(name, " is ", waterSpeed, "; give a value from 0 to 100000");
 }
 
-/// Of arriving water, the part that pushes the body: it is hit by the water of its own time only, however much more
-/// the sheet takes up meanwhile.
+// Of arriving water, the part that pushes the body: it is hit by the water of its own time only, however much more
+// the sheet takes up meanwhile.
 double momentumFraction(double waterSpeed) {
     return std::min(1.0, 1 / waterSpeed);
 }
@@ -138,7 +138,7 @@ std::size_t WetCloth::Layer::checkedNode(int node) const {
                               mesh.size() - 1);
 }
 
-/// Water on each node, kg, where every part of the cloth gets the same, kg/m2.
+// Water on each node, kg, where every part of the cloth gets the same, kg/m2.
 std::vector<double> WetCloth::Layer::spread(double massPerArea) const {
     if (!(massPerArea >= 0 && massPerArea <= 1e3))
         refuse("soaking with ", massPerArea, " kg/m2; give a value from 0 to 1000");
@@ -280,7 +280,7 @@ void WetCloth::Layer::postTick(btScalar dt) {
     mechanics.times.contacts += watchOfContacts.lap();
 }
 
-/// The deformable world knows no timescale.
+// The deformable world knows no timescale.
 double WetCloth::Layer::bodyStepOf(btScalar dt) const {
     return deformable ? double(dt) : double(dt) * double(body.m_cfg.timescale);
 }
@@ -313,8 +313,8 @@ void WetCloth::Layer::supply(double waterTime) {
     }
 }
 
-/// A face on a solid thing does not dry, and nothing drips through it. Bullet's contacts come and go from
-/// step to step, so one counts for a while.
+// A face on a solid thing does not dry, and nothing drips through it. Bullet's contacts come and go from
+// step to step, so one counts for a while.
 void WetCloth::Layer::touchSolids() {
     constexpr double lasting = 0.1;  // s
     constexpr double fromBelow = 0.5;
@@ -366,7 +366,7 @@ void WetCloth::Layer::writeBack(double bodyStep) {
     }
 }
 
-/// Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
+// Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
 void WetCloth::Layer::pushByFluid(double bodyStep) {
     const FluidForces::Around around = {laws,    winds.velocities(), submersion, moisture, mechanics, pose,
                                         bodyStep};

@@ -38,7 +38,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-/// One sheet in one world, in the order of the step.
+// One sheet in one world, in the order of the step.
 struct WetCloth::Layer final : TickListener {
     Layer(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
           const SheetSettings& settings);
@@ -46,18 +46,18 @@ struct WetCloth::Layer final : TickListener {
     Layer(const Layer&) = delete;
     Layer& operator=(const Layer&) = delete;
 
-    /// A source and the account that it works in; none once it was removed within the step.
+    // A source and the account that it works in; none once it was removed within the step.
     struct Supplier {
         std::unique_ptr<Source> source;
         std::unique_ptr<AccountSupply> supply;
     };
-    /// An account that the application works in.
+    // An account that the application works in.
     struct NamedAccount {
         std::string name;
         AccountSupply supply;
     };
 
-    /// When a node last counts as touching something solid, and as lying on it, by `time`.
+    // When a node last counts as touching something solid, and as lying on it, by `time`.
     struct Contact {
         double touchesUntil = -1;
         double liesUntil = -1;
@@ -71,19 +71,19 @@ struct WetCloth::Layer final : TickListener {
     void forgetRemoved();
     Supply& account(const std::string& name);
     SheetPose sheetPose() const;
-    /// Whether the body exists and is in the world.
+    // Whether the body exists and is in the world.
     bool isInWorld() const;
 
     void preTick(btScalar dt) override;
     void postTick(btScalar dt) override;
     void substep(btScalar dt);
     void checkBeforeStep(btScalar dt);
-    /// Whether the body is the cloth that this knows, as it is made to be if it can.
+    // Whether the body is the cloth that this knows, as it is made to be if it can.
     bool fitToBody();
     void refit();
     void repairUnfitBody();
     void detach();
-    /// Whether the body can have been changed since the last substep; looks at counts only.
+    // Whether the body can have been changed since the last substep; looks at counts only.
     bool fits() const;
     void repairBody();
     void reportHeldSubsteps();
@@ -103,7 +103,7 @@ struct WetCloth::Layer final : TickListener {
     void checkBetweenSteps() const;
     void checkSameSheet(const Snapshot& snapshot) const;
     std::uint64_t topologyHash() const;
-    /// Calls `each(name, function)` for each section of a snapshot but the last, that of the sources.
+    // Calls `each(name, function)` for each section of a snapshot but the last, that of the sources.
     template <typename Each>
     void forEachSection(Each each);
     void checkSections(const Snapshot& snapshot);

@@ -19,7 +19,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-/// Whether each node has cloth, or a link to one that has.
+// Whether each node has cloth, or a link to one that has.
 std::vector<bool> areHeld(const RestShape& shape) {
     std::vector<bool> held;
     for (const double area : shape.nodeAreas) held.push_back(area > 0);
@@ -30,7 +30,7 @@ std::vector<bool> areHeld(const RestShape& shape) {
     return held;
 }
 
-/// Makes a body that was cut one that Bullet can step as the cloth that it is.
+// Makes a body that was cut one that Bullet can step as the cloth that it is.
 void writeCut(btSoftBody& body, const SheetMechanics& mechanics, std::size_t oldNodes) {
     forgetContacts(body);
     double mass = 0;
@@ -78,7 +78,7 @@ bool WetCloth::Layer::fitToBody() {
     return false;
 }
 
-/// What can be mended of a body whatever it has become.
+// What can be mended of a body whatever it has become.
 void WetCloth::Layer::repairUnfitBody() {
     repairSettings(body, diagnostics);
     repairGravity(body, usedGravity, diagnostics);
@@ -93,7 +93,7 @@ void WetCloth::Layer::detach() {
     keepFaceTree(body);
 }
 
-/// All that is known of each node, link and face anew; what belongs to the sheet as a whole goes on.
+// All that is known of each node, link and face anew; what belongs to the sheet as a whole goes on.
 void WetCloth::Layer::refit() {
     Recut cut = recutOf(body, mechanics.shape, mesh, moisture);
     const std::vector<double> oldAreas = mesh.areas;

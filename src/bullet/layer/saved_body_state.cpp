@@ -46,7 +46,7 @@ void SavedBodyState::orderLinks(btSoftBody& body, SheetMechanics& mechanics) {
 }
 
 void SavedBodyState::recut(btSoftBody& body, SheetMechanics& mechanics, const std::vector<double>& oldAreas,
-                      const std::vector<double>& dryMasses) {
+                           const std::vector<double>& dryMasses) {
     const auto links = static_cast<std::size_t>(body.m_links.size());
     if (links < linkOrder_.size())
         linkOrder_.clear();  // the links that are gone leave no order to go back to

@@ -13,22 +13,22 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class SavedBodyState {
   public:
-    /// Primes the body, keeps what it was, and orders its links by colour, and those of `mechanics` with them.
+    // Primes the body, keeps what it was, and orders its links by colour, and those of `mechanics` with them.
     SavedBodyState(btSoftBody& body, SheetMechanics& mechanics);
 
-    /// The same for the body as it is after a cut.
-    /// @param mechanics   of the body now, in the order of its links, which this changes
-    /// @param oldAreas    of the nodes that there were, m2
-    /// @param dryMasses   of all nodes, kg; 0 for a node without cloth
+    // The same for the body as it is after a cut.
+    // @param mechanics   of the body now, in the order of its links, which this changes
+    // @param oldAreas    of the nodes that there were, m2
+    // @param dryMasses   of all nodes, kg; 0 for a node without cloth
     void recut(btSoftBody& body, SheetMechanics& mechanics, const std::vector<double>& oldAreas,
                const std::vector<double>& dryMasses);
 
-    /// Switches Bullet's aero models off; what the application has set since is kept for the end.
+    // Switches Bullet's aero models off; what the application has set since is kept for the end.
     void silenceAero(btSoftBody& body);
 
-    /// Gives back masses, link constants, link order and aero model. Pins that the application has set or
-    /// taken out in the meantime are its decision: a freed node gets the mass in `dryMasses`, and links at
-    /// either get the constant that Bullet would give them.
+    // Gives back masses, link constants, link order and aero model. Pins that the application has set or
+    // taken out in the meantime are its decision: a freed node gets the mass in `dryMasses`, and links at
+    // either get the constant that Bullet would give them.
     void restore(btSoftBody& body, const std::vector<double>& dryMasses) const;
 
   private:

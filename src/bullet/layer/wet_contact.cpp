@@ -21,7 +21,7 @@ bool isNodeOf(const btSoftBody& body, const btSoftBody::Node* node) {
            node < &body.m_nodes[0] + body.m_nodes.size();
 }
 
-/// By its address alone: the body that a face was of may be gone.
+// By its address alone: the body that a face was of may be gone.
 bool isFaceOf(const btSoftBody& body, const btSoftBody::Face* face) {
     return body.m_faces.size() > 0 && face >= &body.m_faces[0] &&
            face < &body.m_faces[0] + body.m_faces.size();
@@ -55,7 +55,7 @@ void WetBody::load(StateReader& reader) {
 
 Touch::Touch(WetCloth& other) : other_(other.layer_) {}
 
-/// What passes between the nodes here and there.
+// What passes between the nodes here and there.
 struct Touch::Exchange {
     const SheetPose& here;
     WetCloth::Layer& there;
@@ -73,7 +73,7 @@ struct Touch::Exchange {
                                         areaThere));
     }
 
-    /// What has to pass from one store to another until both are equally full.
+    // What has to pass from one store to another until both are equally full.
     static double evenOut(double mass, double room, double otherMass, double otherRoom) {
         return (mass * otherRoom - otherMass * room) / (room + otherRoom);
     }
@@ -95,7 +95,7 @@ struct Touch::Exchange {
     }
 };
 
-/// A contact joins a node of one body to a face of the other; each body keeps those of its own nodes.
+// A contact joins a node of one body to a face of the other; each body keeps those of its own nodes.
 void Touch::findPairs(const btSoftBody& here, const btSoftBody& there) {
     pairs_.clear();
     for (const btSoftBody* nodes : {&here, &there}) {

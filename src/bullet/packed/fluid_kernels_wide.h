@@ -21,11 +21,11 @@ DRENCH_INLINE void mean(Vector& v, Eight& fourth, const Node* nodes, const FaceB
     transpose(v, fourth, sums);
 }
 
-/// Forces at the end of the substep. Across a face of mass m, with m' of water that moves along now and m" of
-/// it that did before, u' is the speed there and v what is left of it after the leak: u' = v + k c v^2 (k the
-/// permeability), and (m + m') u' + A c v^2 dt = (m + m") u + m a dt, a quadratic equation for v; along the
-/// face there is neither leak nor water that moves along. So the force may stop the relative motion but not
-/// turn it, and it is right where nothing changes: when falling steadily, and when held in the wind.
+// Forces at the end of the substep. Across a face of mass m, with m' of water that moves along now and m" of
+// it that did before, u' is the speed there and v what is left of it after the leak: u' = v + k c v^2 (k the
+// permeability), and (m + m') u' + A c v^2 dt = (m + m") u + m a dt, a quadratic equation for v; along the
+// face there is neither leak nor water that moves along. So the force may stop the relative motion but not
+// turn it, and it is right where nothing changes: when falling steadily, and when held in the wind.
 static void pushByFluid(FluidForce* forces, const FaceBlock* blocks, const PackedVector* positions,
                         const PackedVector* velocities, const OtherAcceleration* accelerations,
                         const FluidNode* fluid, const FluidLaws& laws, std::size_t count) {

@@ -15,7 +15,7 @@ void addTo(Node& node, float x, float y, float z, float by) {
     node.z += z * by;
 }
 
-/// The unit normal of a triangle. @return twice the area
+// The unit normal of a triangle. @return twice the area
 template <typename Node>
 float normalOf(float* normal, const Node& a, const Node& b, const Node& c) {
     constexpr float tiny = 1e-30f;

@@ -69,7 +69,7 @@ static void solveLinks(MovingNode* moved, const LinkBlock* blocks, std::size_t c
     }
 }
 
-/// The weighted sum of six nodes in each of three components.
+// The weighted sum of six nodes in each of three components.
 DRENCH_INLINE void curvature(Vector* components, Eight* inverseMass, const MovingNode* nodes,
                              const PlateBlock& block, const PlateWeights& weights) {
     for (std::size_t m = 0; m < 3; ++m) components[m] = Vector{};
@@ -85,7 +85,7 @@ DRENCH_INLINE void curvature(Vector* components, Eight* inverseMass, const Movin
     }
 }
 
-/// Moves six nodes against what is left of the components.
+// Moves six nodes against what is left of the components.
 DRENCH_INLINE void takeBack(MovingNode* nodes, const Vector* components, const Eight* inverseMass,
                             const PlateBlock& block, const PlateWeights& weights) {
     Vector fractions[3];
@@ -118,7 +118,7 @@ static void solvePlates(MovingNode* to, const MovingNode* from, const PlateBlock
     }
 }
 
-/// Unit normals of the plates' own triangles.
+// Unit normals of the plates' own triangles.
 DRENCH_INLINE void unitNormal(Vector& normal, const MovingNode* start, const PlateBlock& block) {
     Vector a, b, c;
     Eight unused;
@@ -135,7 +135,7 @@ DRENCH_INLINE void unitNormal(Vector& normal, const MovingNode* start, const Pla
     normal.z /= length;
 }
 
-/// Moments of friction, N; slides where they pass the limit.
+// Moments of friction, N; slides where they pass the limit.
 DRENCH_INLINE void slide(Eight* moments, PlateState& state, const Eight* bent, const Eight& stiffness,
                          const Eight& limit) {
     constexpr float tiny = 1e-30f;
@@ -155,7 +155,7 @@ DRENCH_INLINE void slide(Eight* moments, PlateState& state, const Eight* bent, c
     }
 }
 
-/// Shares of the components that one sweep takes back; see plateFraction.
+// Shares of the components that one sweep takes back; see plateFraction.
 DRENCH_INLINE void share(PlateBlock& block, const PlateWeights& weights, const Eight* inverseMass,
                          const Eight& compliance, float every) {
     Eight response[3], all = {};

@@ -10,22 +10,22 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Keeps one report for each kind of trouble, so that they stay few however long it lasts.
+// Keeps one report for each kind of trouble, so that they stay few however long it lasts.
 class Diagnostics {
   public:
     explicit Diagnostics(OnTrouble policy) : policy_(policy) {}
 
-    /// Says when what follows happens.
+    // Says when what follows happens.
     void begin(double time, std::int64_t substep) {
         time_ = time;
         substep_ = substep;
     }
 
-    /// @param message  without "drench: "; says what, and how to mend it
-    /// @throws std::runtime_error with the message, if the policy wants that; the caller has then changed nothing
+    // @param message  without "drench: "; says what, and how to mend it
+    // @throws std::runtime_error with the message, if the policy wants that; the caller has then changed nothing
     void note(Trouble what, const std::string& message, int node = -1, double value = 0);
-    /// The same for something that was thrown, which goes on its way if the policy wants that.
-    /// @pre called while it is being handled
+    // The same for something that was thrown, which goes on its way if the policy wants that.
+    // @pre called while it is being handled
     void noteThrown(Trouble what, const std::string& message);
 
     bool throws() const { return policy_ == OnTrouble::throwError; }

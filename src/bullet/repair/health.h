@@ -10,9 +10,9 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 bool isFinite(const btSoftBody& body);
-/// The largest |length / rest length - 1| of links that do not bend.
+// The largest |length / rest length - 1| of links that do not bend.
 double largestStrain(const btSoftBody& body, const SheetMechanics& mechanics);
-/// How deep the deepest node is in a solid that it touches, m; 0 if none is inside.
+// How deep the deepest node is in a solid that it touches, m; 0 if none is inside.
 double deepestPenetration(const btSoftBody& body);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -44,7 +44,7 @@ class Recutter {
     }
 
   private:
-    /// A corner of a new face in the old face that it is a piece of: the shares of that face's corners.
+    // A corner of a new face in the old face that it is a piece of: the shares of that face's corners.
     using Weights = std::array<double, 3>;
 
     int checkedIndex(const btSoftBody::Node* node, const char* what, int of) const {
@@ -100,7 +100,7 @@ class Recutter {
         return old_.triangleAreas[face] / triangleArea(oldMesh_.coordinates[face]);
     }
 
-    /// The old face that a new one is, or is a piece of.
+    // The old face that a new one is, or is a piece of.
     std::size_t originOf(std::size_t face, const Triangle& triangle) {
         if (face < old_.triangles.size() && old_.triangles[face] == triangle) return face;
         std::vector<std::size_t> candidates;
@@ -149,7 +149,7 @@ class Recutter {
         return weightsOf(positionOf(node), face);
     }
 
-    /// Of the corners of an old face, in its plane; outside of it some are below 0.
+    // Of the corners of an old face, in its plane; outside of it some are below 0.
     Weights weightsOf(const btVector3& position, std::size_t face) const {
         const Triangle& corners = old_.triangles[face];
         const Eigen::Vector3d origin = toEigen(positionOf(corners[0]));
@@ -195,7 +195,7 @@ class Recutter {
                                        : (positionOf(nodes[1]) - positionOf(nodes[0])).length();
     }
 
-    /// What stands on the old nodes, on the new ones.
+    // What stands on the old nodes, on the new ones.
     std::vector<double> pour(const Moisture& moisture, const std::vector<double>& masses) const {
         std::vector<double> sums(old_.triangles.size(),
                                  0.0);  // of the pieces of each old face, before scaling
@@ -216,7 +216,7 @@ class Recutter {
         return poured;
     }
 
-    /// Of a corner of a new face, if the water lay on the pieces exactly as on the old face, kg.
+    // Of a corner of a new face, if the water lay on the pieces exactly as on the old face, kg.
     double share(std::size_t face, std::size_t corner, const Moisture& moisture,
                  const std::vector<double>& masses) const {
         if (isSewnOn_[face]) return 0;

@@ -9,8 +9,8 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// The point of a triangle that is nearest to another point, however small the triangle is. (Bullet's own search takes
-/// those of less than 1.7 cm2 for points, and finds nothing on them.)
+// The point of a triangle that is nearest to another point, however small the triangle is. (Bullet's own search takes
+// those of less than 1.7 cm2 for points, and finds nothing on them.)
 class FaceProjection {
   public:
     struct Nearest {
@@ -24,7 +24,7 @@ class FaceProjection {
     btVoronoiSimplexSolver simplex_;
 };
 
-/// A contact that Bullet does nothing about, for those who look through its lists.
+// A contact that Bullet does nothing about, for those who look through its lists.
 btSoftBody::SContact silentContact(btSoftBody::Node& node, btSoftBody::Face& face, const btVector3& weights,
                                    const btVector3& normal, btScalar margin, btScalar friction);
 

@@ -8,11 +8,11 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Builds the trees of faces that btSoftBody::initializeFaceTree builds, which compares all faces with all others, and
-/// never ends for cloth of two pieces; and as that does, the tree of nodes anew. In place of those that there are.
+// Builds the trees of faces that btSoftBody::initializeFaceTree builds, which compares all faces with all others, and
+// never ends for cloth of two pieces; and as that does, the tree of nodes anew. In place of those that there are.
 void makeFaceTree(btSoftBody& body);
 
-/// Drops them.
+// Drops them.
 void dropFaceTree(btSoftBody& body);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -13,25 +13,25 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Water that has reached a node since the last substep.
+// Water that has reached a node since the last substep.
 struct Arrival {
     double carried = 0;                       // kg that move with the node, whatever its velocity
     double mass = 0;                          // kg that came with a velocity of their own
     btVector3 momentum = btVector3(0, 0, 0);  // of these, kg m/s
 };
 
-/// Lets each free node take up the momentum of the water that arrived: v <- (m v + dm u) / (m + dm). Water
-/// that leaves takes its own momentum along, so a node that only loses mass keeps its velocity. Empties
-/// `arrivals`.
-/// @param masses  of the nodes before the water came, kg
+// Lets each free node take up the momentum of the water that arrived: v <- (m v + dm u) / (m + dm). Water
+// that leaves takes its own momentum along, so a node that only loses mass keeps its velocity. Empties
+// `arrivals`.
+// @param masses  of the nodes before the water came, kg
 void takeUpMomentum(btSoftBody& body, const std::vector<double>& masses, std::vector<Arrival>& arrivals);
 
-/// Sets inverse masses; pins stay pins.
+// Sets inverse masses; pins stay pins.
 void writeMasses(btSoftBody& body, const std::vector<double>& masses);
 
-/// Gives a new body the mass of cloth alone: of each face, as its nodes are now, a third to each of its nodes.
-/// @tparam Sum   in which masses are added up
-/// @param check  is called with the index and the area, m2, of each face, and throws for one that will not do
+// Gives a new body the mass of cloth alone: of each face, as its nodes are now, a third to each of its nodes.
+// @tparam Sum   in which masses are added up
+// @param check  is called with the index and the area, m2, of each face, and throws for one that will not do
 template <typename Sum, typename Check>
 void writeClothMasses(btSoftBody& body, Sum arealDensity, Check check) {
     std::vector<Sum> masses(static_cast<std::size_t>(body.m_nodes.size()), Sum(0));

@@ -14,18 +14,18 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Read from the body at the start of each substep.
+// Read from the body at the start of each substep.
 struct Pose {
     explicit Pose(const ClothMesh& mesh);
 
-    /// Reads gravity and, in one pass over Bullet's nodes, of which each takes four cache lines, what each
-    /// substep needs of them.
-    /// @return whether all positions, velocities, forces and inverse masses are such that one can calculate with
-    ///     them; if not, places are those of the last time that they were
+    // Reads gravity and, in one pass over Bullet's nodes, of which each takes four cache lines, what each
+    // substep needs of them.
+    // @return whether all positions, velocities, forces and inverse masses are such that one can calculate with
+    //     them; if not, places are those of the last time that they were
     bool gather(const btSoftBody& body, const ClothMesh& mesh);
-    /// Where the nodes are, in the world, m.
+    // Where the nodes are, in the world, m.
     std::vector<btVector3> positionsInWorld() const;
-    /// Reads positions and velocities once more, for sources.
+    // Reads positions and velocities once more, for sources.
     void gatherMotion(const btSoftBody& body);
 
     btVector3 origin = btVector3(0, 0, 0);  // of the places, m: the first node

@@ -60,8 +60,8 @@ std::vector<btVector3> positionsOf(const Corners& c, const Grid& grid) {
     return positions;
 }
 
-/// Bullet puts one node after the other into its tree, which row by row gets ever deeper: a million nodes take minutes.
-/// So they come in a random order, after which nodes and leaves are put back in theirs.
+// Bullet puts one node after the other into its tree, which row by row gets ever deeper: a million nodes take minutes.
+// So they come in a random order, after which nodes and leaves are put back in theirs.
 std::unique_ptr<btSoftBody> bodyOfNodes(btSoftBodyWorldInfo& worldInfo,
                                         const std::vector<btVector3>& positions) {
     std::vector<int> order(positions.size());
@@ -88,8 +88,8 @@ std::unique_ptr<btSoftBody> bodyOfNodes(btSoftBodyWorldInfo& worldInfo,
     return body;
 }
 
-/// All cells are cut along the same diagonal, so that every inner node has six triangles and the area of one
-/// cell.
+// All cells are cut along the same diagonal, so that every inner node has six triangles and the area of one
+// cell.
 void appendFaces(btSoftBody& body, const Grid& grid) {
     for (int j = 0; j + 1 < grid.nodesWeft; ++j)
         for (int i = 0; i + 1 < grid.nodesWarp; ++i) {
@@ -100,7 +100,7 @@ void appendFaces(btSoftBody& body, const Grid& grid) {
         }
 }
 
-/// A warp link comes first: `WetCloth` takes the first link for the direction of the warp.
+// A warp link comes first: `WetCloth` takes the first link for the direction of the warp.
 std::vector<PlannedLink> planLinks(const Grid& grid) {
     std::vector<PlannedLink> links;
     const auto add = [&](int i, int j, int di, int dj, bool bending) {

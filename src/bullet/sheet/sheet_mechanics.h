@@ -19,15 +19,15 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 struct MovingSheet;
 
-/// Made by the layer, evaluated at the start of each substep, read by the solvers.
+// Made by the layer, evaluated at the start of each substep, read by the solvers.
 struct SheetMechanics {
     SheetMechanics(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh);
 
-    /// Reads masses and the ratios of the wet laws off the water.
+    // Reads masses and the ratios of the wet laws off the water.
     void evaluate(const WetLaws& laws, const Moisture& moisture);
-    /// Stiffness of a link as of this substep, N/m.
+    // Stiffness of a link as of this substep, N/m.
     double stiffness(std::size_t link) const;
-    /// Becomes that of the same cloth, cut. @pre `evaluate` before anything else
+    // Becomes that of the same cloth, cut. @pre `evaluate` before anything else
     void recut(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh);
 
     RestShape shape;

@@ -12,13 +12,13 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// The anchors of a body (btSoftBody::appendAnchor), solved in each small step.
+// The anchors of a body (btSoftBody::appendAnchor), solved in each small step.
 class SheetAnchors {
   public:
-    /// Takes up the solids of the body's anchors.
+    // Takes up the solids of the body's anchors.
     void find(const btSoftBody& body, Solids& solids);
-    /// Places them for the substep, and takes nodes to where they are tied, without a velocity of their own: a
-    /// solid that cloth has pushed is then elsewhere than the substep before has left it.
+    // Places them for the substep, and takes nodes to where they are tied, without a velocity of their own: a
+    // solid that cloth has pushed is then elsewhere than the substep before has left it.
     void begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids);
     void solve(SmallStepSheet& sheet, Solids& solids) const;
 

@@ -25,10 +25,10 @@ btVector3 limited(btVector3 v, btScalar max) {
     return v;
 }
 
-/// Collects weights of plates, few on a regular mesh, where the same come again and again.
+// Collects weights of plates, few on a regular mesh, where the same come again and again.
 class WeightTable {
   public:
-    /// Index of a plate's weights among those met so far, to four digits.
+    // Index of a plate's weights among those met so far, to four digits.
     int classOf(const PlateElement& plate) {
         double largest = 0;
         for (const auto& component : plate.weights)
@@ -44,7 +44,7 @@ class WeightTable {
         return found->second;
     }
 
-    /// Index of the weights of eight plates.
+    // Index of the weights of eight plates.
     int of(const std::array<int, blockWidth>& classes, std::vector<PlateWeights>& table) {
         const auto [found, isNew] = blocks_.emplace(classes, static_cast<int>(table.size()));
         if (!isNew) return found->second;
@@ -66,8 +66,8 @@ class WeightTable {
     std::map<std::array<int, blockWidth>, int> blocks_;
 };
 
-/// How much the curvature of a plate gives way to its own moment, times areal density, 1/m4, of most of them: a
-/// few poor triangles should not set the step of all.
+// How much the curvature of a plate gives way to its own moment, times areal density, 1/m4, of most of them: a
+// few poor triangles should not set the step of all.
 double usualResponse(const std::vector<PlateElement>& plates, const std::vector<double>& nodeAreas) {
     std::vector<double> responses;
     for (const PlateElement& plate : plates) {
@@ -85,8 +85,8 @@ double usualResponse(const std::vector<PlateElement>& plates, const std::vector<
     return *max;
 }
 
-/// Upper bound of the squared angular frequencies of all bends, times areal density over rigidity, 1/m4
-/// (Gershgorin).
+// Upper bound of the squared angular frequencies of all bends, times areal density over rigidity, 1/m4
+// (Gershgorin).
 double stiffestNode(const std::vector<PlateElement>& plates, const std::vector<double>& nodeAreas) {
     std::vector<double> sums(nodeAreas.size(), 0.0);
     for (const PlateElement& plate : plates)
@@ -242,7 +242,7 @@ void SmallStepSheet::beginNode(const btSoftBody::Node& node, std::size_t n, cons
     reach_[n] = packed(limited((node.m_v + vectorOf(acceleration_[n]) * t) * t, farthestMotion_));
 }
 
-/// Whether the application has moved pins at most.
+// Whether the application has moved pins at most.
 bool SmallStepSheet::isWhereItWas(const btSoftBody& body) const {
     for (std::size_t n = 0; n < end_.size(); ++n) {
         const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
@@ -251,7 +251,7 @@ bool SmallStepSheet::isWhereItWas(const btSoftBody& body) const {
     return !end_.empty();
 }
 
-/// A pin that the application has moved goes there evenly, and so do those that follow it.
+// A pin that the application has moved goes there evenly, and so do those that follow it.
 void SmallStepSheet::beginPin(const btSoftBody::Node& node, std::size_t n) {
     const btVector3 jump = node.m_x - end_[n];
     if (jump.isZero()) return;
@@ -278,8 +278,8 @@ double SmallStepSheet::arealDensity(const SheetMechanics& mechanics) const {
     return mass / area_;
 }
 
-/// The longest step in which plates have their rigidity: with their compliance well above their own response,
-/// a cantilever of ten cells is within a few percent of theory.
+// The longest step in which plates have their rigidity: with their compliance well above their own response,
+// a cantilever of ten cells is within a few percent of theory.
 double SmallStepSheet::longestBendingStep(const SheetMechanics& mechanics) const {
     constexpr double resolved = 0.3;
     double rigidity = 0;
@@ -288,8 +288,8 @@ double SmallStepSheet::longestBendingStep(const SheetMechanics& mechanics) const
     return std::sqrt(resolved * arealDensity(mechanics) / (rigidity * plateResponse_));
 }
 
-/// For how many small steps moments may stand: so that the stiffest of all bends stays stable, wherever the cloth
-/// is stiffest and lightest.
+// For how many small steps moments may stand: so that the stiffest of all bends stays stable, wherever the cloth
+// is stiffest and lightest.
 int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, int steps) const {
     double stiffest = 0, lightest = std::numeric_limits<double>::infinity();
     for (std::size_t n = 0; n < count_; ++n) {
@@ -341,8 +341,8 @@ void SmallStepSheet::solveCloth() {
     kernels_.solveLinks(moved_.data(), links_.data(), links_.size());
 }
 
-/// Moments that are to stand for a while are those at its end, as far as one can see from here: moments that come
-/// late would drive vibrations, and such as strike at intervals those of the links.
+// Moments that are to stand for a while are those at its end, as far as one can see from here: moments that come
+// late would drive vibrations, and such as strike at intervals those of the links.
 void SmallStepSheet::renewMoments() {
     const auto ahead = float(platesEvery_);
     for (std::size_t n = 0; n < count_; ++n) {

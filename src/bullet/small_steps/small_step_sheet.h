@@ -14,7 +14,7 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// A box along the axes of the world, m.
+// A box along the axes of the world, m.
 struct Bounds {
     btVector3 low, high;
 
@@ -39,45 +39,45 @@ class SmallStepSheet {
   public:
     SmallStepSheet(const SheetMechanics& mechanics, const SmallStepKernels& kernels);
 
-    /// Reads where the body is, what pulls at it, and what the water has made of it.
+    // Reads where the body is, what pulls at it, and what the water has made of it.
     void begin(const btSoftBody& body, const SheetMechanics& mechanics, double substep);
 
-    /// As many steps of the substep as resolve stretch, to a tolerance, and bending; see SmallStepSettings.
+    // As many steps of the substep as resolve stretch, to a tolerance, and bending; see SmallStepSettings.
     int wantedSteps(const SheetMechanics& mechanics, double stretchTolerance) const;
 
-    /// Makes ready for so many steps.
+    // Makes ready for so many steps.
     void divide(const SheetMechanics& mechanics, int steps);
 
     // What happens in each step, in this order.
     void advance();
     void solveCloth();
 
-    /// Writes positions and velocities.
-    /// @return -1 if they are places that one can calculate with; else the first node whose place is not, and the body
-    ///     stays where the substep began, at rest
+    // Writes positions and velocities.
+    // @return -1 if they are places that one can calculate with; else the first node whose place is not, and the body
+    //     stays where the substep began, at rest
     int finish(btSoftBody& body);
-    /// Writes the normals of faces and nodes as they are after that.
+    // Writes the normals of faces and nodes as they are after that.
     void writeNormals(btSoftBody& body);
 
     std::size_t size() const { return count_; }
-    /// How far a node has come since the substep began, and its inverse mass.
+    // How far a node has come since the substep began, and its inverse mass.
     MovingNode& moved(std::size_t node) { return moved_[node]; }
-    /// How far it has come in the current small step, m.
+    // How far it has come in the current small step, m.
     btVector3 step(std::size_t node) const {
         return vectorOf(steps_[node]) + (vectorOf(moved_[node]) - vectorOf(predicted_[node]));
     }
-    /// Puts a node elsewhere, without changing its velocity.
+    // Puts a node elsewhere, without changing its velocity.
     void place(std::size_t node, const btVector3& by);
-    /// Where a node is as the substep begins, m, from a place near the sheet.
+    // Where a node is as the substep begins, m, from a place near the sheet.
     const MovingNode& start(std::size_t node) const { return start_[node]; }
-    /// The same in the world.
+    // The same in the world.
     btVector3 startPosition(std::size_t node) const { return origin_ + vectorOf(start_[node]); }
-    /// Where a node would be at the end of the substep if nothing held it, from where it is at the start.
+    // Where a node would be at the end of the substep if nothing held it, from where it is at the start.
     const MovingNode& reach(std::size_t node) const { return reach_[node]; }
-    /// Around where so many nodes in a row are and might come.
+    // Around where so many nodes in a row are and might come.
     static constexpr std::size_t nodesOfBounds = 32;
     const std::vector<Bounds>& bounds() const { return bounds_; }
-    /// The length of the longest reach, m.
+    // The length of the longest reach, m.
     btScalar farthestReach() const { return farthestReach_; }
     double smallStep() const { return smallStep_; }
 

@@ -30,27 +30,27 @@ const SmallStepSettings& checked(const SmallStepSettings& settings) {
     return settings;
 }
 
-/// The mechanics of a body that small steps move; none for those that go Bullet's own way.
+// The mechanics of a body that small steps move; none for those that go Bullet's own way.
 SheetMechanics* mechanicsOf(btSoftBody& body) {
     if (body.m_pose.m_bframe && body.m_cfg.kMT > 0) return nullptr;
     SheetMechanics* const mechanics = BodyWatch::mechanicsOf(body);
     return mechanics && mechanics->fits && hasCountsOf(body, mechanics->shape) ? mechanics : nullptr;
 }
 
-/// The same once small steps have begun to move the body in this substep.
+// The same once small steps have begun to move the body in this substep.
 SheetMechanics* movedHere(btSoftBody& body) {
     SheetMechanics* const mechanics = mechanicsOf(body);
     const bool hasBegun = mechanics && mechanics->moving && mechanics->movedBySmallSteps;
     return hasBegun && mechanics->moving->nodes == &body.m_nodes[0] ? mechanics : nullptr;
 }
 
-/// Whether the application has changed the topology of a body since they have.
+// Whether the application has changed the topology of a body since they have.
 bool isCut(btSoftBody& body) {
     const SheetMechanics* const mechanics = BodyWatch::mechanicsOf(body);
     return mechanics && mechanics->movedBySmallSteps && !movedHere(body);
 }
 
-/// The members that Bullet's own predictMotion leaves for others to read.
+// The members that Bullet's own predictMotion leaves for others to read.
 void writeStepState(btSoftBody& body, btScalar substep) {
     body.m_sst.sdt = substep * body.m_cfg.timescale;
     body.m_sst.isdt = 1 / body.m_sst.sdt;
@@ -59,8 +59,8 @@ void writeStepState(btSoftBody& body, btScalar substep) {
     body.m_sst.updmrg = body.m_sst.radmrg * btScalar(0.25);
 }
 
-/// Widens the bounds of a sheet by solids that come at it so fast that Bullet, which sees only where they are,
-/// would tell of them when they are inside.
+// Widens the bounds of a sheet by solids that come at it so fast that Bullet, which sees only where they are,
+// would tell of them when they are inside.
 class SolidsToCome final : public btBroadphaseAabbCallback {
   public:
     SolidsToCome(btVector3& low, btVector3& high, btScalar substep)
@@ -86,7 +86,7 @@ class SolidsToCome final : public btBroadphaseAabbCallback {
     btScalar substep_;
 };
 
-/// Bounds for the broadphase around where the nodes are and might come.
+// Bounds for the broadphase around where the nodes are and might come.
 void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
     Bounds all = cloth.bounds()[0];
     for (const Bounds& bounds : cloth.bounds()) {
@@ -106,7 +106,7 @@ void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
                        body.m_worldInfo->m_dispatcher);
 }
 
-/// Bullet also tells of solids that have once been near, for as long as it likes.
+// Bullet also tells of solids that have once been near, for as long as it likes.
 bool areNear(const btSoftBody& body, const btCollisionObject& solid) {
     const btBroadphaseProxy *const one = body.getBroadphaseHandle(), *const other =
                                                                          solid.getBroadphaseHandle();
@@ -114,9 +114,9 @@ bool areNear(const btSoftBody& body, const btCollisionObject& solid) {
            TestAabbAgainstAabb2(one->m_aabbMin, one->m_aabbMax, other->m_aabbMin, other->m_aabbMax);
 }
 
-/// Readies the trees and the node states in which Bullet looks for contacts of soft bodies, so that it finds
-/// those that may come within the substep, and bonds as far as they reach: around each node it looks twice as far as
-/// from m_x to m_q.
+// Readies the trees and the node states in which Bullet looks for contacts of soft bodies, so that it finds
+// those that may come within the substep, and bonds as far as they reach: around each node it looks twice as far as
+// from m_x to m_q.
 void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth, const Friction& sheetFriction) {
     if (body.m_fdbvt.empty()) makeFaceTree(body);  // which else comes with the first stock step
     const btScalar margin = body.getCollisionShape()->getMargin();
@@ -160,7 +160,7 @@ struct SmallStepSolver::State {
     void begin(btScalar substep);
     void smallStep(double smallStepOfWorld);
     void finish(btScalar substep);
-    /// Books time that sheets share.
+    // Books time that sheets share.
     void share(double StepTimes::*stage, double seconds);
 
     const SmallStepSettings settings;

@@ -76,7 +76,7 @@ void SoftContacts::choose(std::size_t first) {
     found_.erase(kept, found_.end());
 }
 
-/// Whether a face rises above the plane by which a node meets the nearest one; its own plane then counts.
+// Whether a face rises above the plane by which a node meets the nearest one; its own plane then counts.
 bool SoftContacts::rises(Found& found, const Found& nearest) {
     const btVector3& up = nearest.contact.m_normal;
     const btVector3& place = found.contact.m_node->m_x;
@@ -168,7 +168,7 @@ SoftContacts::Contact SoftContacts::placed(const Found& found, const std::vector
     return contact;
 }
 
-/// Takes overlapping bodies apart.
+// Takes overlapping bodies apart.
 void SoftContacts::lift(Contact& contact, float margin) {
     if (contact.gap >= 0 || !(contact.response > 0)) return;
     const float lifted = liftAtOnce(-contact.gap, margin);
@@ -251,7 +251,7 @@ void SoftContacts::solve() {
     }
 }
 
-/// How far a bond takes node and face together in a small step, m.
+// How far a bond takes node and face together in a small step, m.
 btScalar SoftContacts::adhesionDisplacement(const Contact& contact) {
     const double h = contact.sheets[0]->smallStep();
     return btScalar(double(contact.adhesion) * h * h * double(contact.response));

@@ -13,11 +13,11 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Contacts of a node of one body with a face of another, of which small steps move at least one. The other
-/// may be a soft body that Bullet moves: its nodes go on as Bullet has moved them, and give way here.
+// Contacts of a node of one body with a face of another, of which small steps move at least one. The other
+// may be a soft body that Bullet moves: its nodes go on as Bullet has moved them, and give way here.
 class SoftContacts {
   public:
-    /// A sheet that takes part.
+    // A sheet that takes part.
     struct Sheet {
         btSoftBody* body;
         SmallStepSheet* cloth;
@@ -26,15 +26,15 @@ class SoftContacts {
 
     void clear() { found_.clear(); }
 
-    /// Looks for contacts of the nodes of one body with the faces of another, in Bullet's trees.
+    // Looks for contacts of the nodes of one body with the faces of another, in Bullet's trees.
     void find(btSoftBody& nodes, btSoftBody& faces);
 
     // Then, in each substep and each of its small steps.
     void begin(const std::vector<Sheet>& sheets, double substep, int steps);
     void advance();
     void solve();
-    /// Puts those contacts that have touched back into the bodies' lists, guests where they have come to, and
-    /// bonds where sheets remember them.
+    // Puts those contacts that have touched back into the bodies' lists, guests where they have come to, and
+    // bonds where sheets remember them.
     void finish(const std::vector<Sheet>& sheets);
 
   private:
@@ -60,7 +60,7 @@ class SoftContacts {
         bool adheres;
         bool touched;
     };
-    /// A node of a body that Bullet moves, and has moved already.
+    // A node of a body that Bullet moves, and has moved already.
     struct Guest {
         btSoftBody::Node* node;
         btVector3 start;  // m
@@ -69,17 +69,17 @@ class SoftContacts {
         btVector3 before;  // of moved, in the current small step, m
     };
 
-    /// Of what was found since then, leaves each node its nearest face, and of the others those that rise above the
-    /// plane of that; see flat_neighbours.h.
+    // Of what was found since then, leaves each node its nearest face, and of the others those that rise above the
+    // plane of that; see flat_neighbours.h.
     void choose(std::size_t first);
     static bool rises(Found& found, const Found& nearest);
 
     Contact placed(const Found& found, const std::vector<Sheet>& sheets);
-    /// @return where the node is as the substep begins
+    // @return where the node is as the substep begins
     btVector3 place(Contact& contact, std::size_t corner, btSoftBody::Node& node, const btSoftBody& body,
                     const std::vector<Sheet>& sheets);
     void lift(Contact& contact, float margin);
-    /// Has wet cloth cling by the nearest contact of each node: of all of them it would be held several times.
+    // Has wet cloth cling by the nearest contact of each node: of all of them it would be held several times.
     void updateAdhesion(const Sheet& sheet, const std::vector<Sheet>& sheets);
     static void updateAdhesion(Contact& contact, const btSoftBody& other, const Friction& ofNode,
                                const Friction* ofFace);

@@ -15,7 +15,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-/// How far the solid itself may come towards a node within the substep.
+// How far the solid itself may come towards a node within the substep.
 btVector3 ownMotion(const btCollisionObject& object, const btVector3& point, double substep) {
     const btRigidBody* const body = movingBody(object);
     if (!body) return {0, 0, 0};
@@ -30,7 +30,7 @@ void SolidContacts::clear() {
     mesh_ = nullptr;
 }
 
-/// A solid, or a part of one, that nodes are looked for around.
+// A solid, or a part of one, that nodes are looked for around.
 struct SolidContacts::Touching {
     const btCollisionObject& object;
     const btCollisionShape& shape;

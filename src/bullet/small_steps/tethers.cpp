@@ -18,7 +18,7 @@ struct Connection {
     double length;
 };
 
-/// From each node, through the links.
+// From each node, through the links.
 CompressedRows<Connection> connectionsAlongLinks(const SheetMechanics& mechanics) {
     return {mechanics.mesh.size(), [&](const auto& add) {
                 for (std::size_t i = 0; i < mechanics.shape.links.size(); ++i) {
@@ -31,7 +31,7 @@ CompressedRows<Connection> connectionsAlongLinks(const SheetMechanics& mechanics
             }};
 }
 
-/// What stretches at a distance from the pins: the mass beyond, and the cloth that holds it.
+// What stretches at a distance from the pins: the mass beyond, and the cloth that holds it.
 struct Level {
     double mass = 0;       // kg
     double stiffness = 0;  // force over strain, N
@@ -50,7 +50,7 @@ void Tethers::begin(const btSoftBody& body, const SheetMechanics& mechanics, dou
     measure(mechanics, double(body.m_worldInfo->m_gravity.length()), stretchTolerance);
 }
 
-/// Dijkstra's shortest ways from all pins at once.
+// Dijkstra's shortest ways from all pins at once.
 void Tethers::lay(const SheetMechanics& mechanics) {
     const auto connections = connectionsAlongLinks(mechanics);
     distance_.assign(connections.size(), std::numeric_limits<double>::infinity());

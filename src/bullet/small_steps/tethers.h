@@ -12,13 +12,13 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Unilateral tethers (Kim et al. 2012, "Long range attachments"). Each is as long as the shortest way through
-/// the links, and as much longer as the cloth stretches by what hangs on it at rest, so that tethers take away
-/// the stretch that comes of too few steps, and leave the sheet's own.
+// Unilateral tethers (Kim et al. 2012, "Long range attachments"). Each is as long as the shortest way through
+// the links, and as much longer as the cloth stretches by what hangs on it at rest, so that tethers take away
+// the stretch that comes of too few steps, and leave the sheet's own.
 class Tethers {
   public:
-    /// Lays tethers to the pins, if those have changed, and makes them as long as the water's weight asks for.
-    /// @param stretchTolerance  of SmallStepSettings, 1
+    // Lays tethers to the pins, if those have changed, and makes them as long as the water's weight asks for.
+    // @param stretchTolerance  of SmallStepSettings, 1
     void begin(const btSoftBody& body, const SheetMechanics& mechanics, double stretchTolerance);
     void solve(SmallStepSheet& sheet) const;
 

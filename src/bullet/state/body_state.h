@@ -9,12 +9,12 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Everything of Bullet's own that later steps depend on and that is no setting: motion, masses and so pins, link
-/// constants, normals, sleep, bounds, the volumes in which contacts are looked for, and the contacts of the last step.
-/// What its trees look like plays no part, as contacts are sorted before they count.
+// Everything of Bullet's own that later steps depend on and that is no setting: motion, masses and so pins, link
+// constants, normals, sleep, bounds, the volumes in which contacts are looked for, and the contacts of the last step.
+// What its trees look like plays no part, as contacts are sorted before they count.
 class BodyState {
   public:
-    /// @pre a body that is checked or restored has the nodes, links and faces of the one that was saved
+    // @pre a body that is checked or restored has the nodes, links and faces of the one that was saved
     BodyState(btSoftBody& body, bool isDeformable) : body_(body), isDeformable_(isDeformable) {}
 
   private:
@@ -31,7 +31,7 @@ class BodyState {
     const bool isDeformable_;
 };
 
-/// What the body has touched in the last step. Contacts with what has left the world are not saved.
+// What the body has touched in the last step. Contacts with what has left the world are not saved.
 class ContactState {
   public:
     ContactState(btSoftBody& body, bool isDeformable) : body_(body), isDeformable_(isDeformable) {}

@@ -13,8 +13,8 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Names other bodies by their place in the world's list of collision objects; `state(BulletPass&)` is for classes that
-/// know Bullet what `state(StatePass&)` is for others.
+// Names other bodies by their place in the world's list of collision objects; `state(BulletPass&)` is for classes that
+// know Bullet what `state(StatePass&)` is for others.
 class BulletPass : public StatePass {
   public:
     BulletPass(StateWriter& writer, const btCollisionWorld& world) : StatePass(writer), world_(world) {
@@ -33,25 +33,25 @@ class BulletPass : public StatePass {
     using StatePass::vector;
     void vector(btVector3& value, double max = farthest);
     void matrix(btMatrix3x3& value);
-    /// A packed node of any kind.
+    // A packed node of any kind.
     template <typename Node>
     void node(Node& value) {
         auto& [x, y, z, fourth] = value;
         for (float* part : {&x, &y, &z, &fourth}) number(*part, -1e9, 1e9);
     }
-    /// The first so many of them.
+    // The first so many of them.
     template <typename Node>
     void nodes(std::vector<Node>& values, std::size_t count) {
         for (std::size_t n = 0; n < count; ++n) node(values[n]);
     }
 
     enum class Which { solid, soft };
-    /// An object, by its address alone; it may be gone, and is then none.
-    /// @return the one that was saved, or is being saved
+    // An object, by its address alone; it may be gone, and is then none.
+    // @return the one that was saved, or is being saved
     const btCollisionObject* object(const btCollisionObject* now, Which which);
-    /// Whether an object is in the world, by its address alone. @pre a pass that saves
+    // Whether an object is in the world, by its address alone. @pre a pass that saves
     bool knows(const btCollisionObject* object) const { return indices_.count(object) > 0; }
-    /// The soft body that a face is of; none for one that is of no body in the world.
+    // The soft body that a face is of; none for one that is of no body in the world.
     const btSoftBody* ownerOf(const btSoftBody::Face* face) const;
 
   private:

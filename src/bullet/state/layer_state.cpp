@@ -26,7 +26,7 @@ void checkSame(const char* what, std::uint64_t saved, std::uint64_t here) {
     if (saved != here) refuseSheet("it has ", saved, ' ', what, ", and this one has ", here);
 }
 
-/// Within what another compiler may make of the same body.
+// Within what another compiler may make of the same body.
 void checkAlike(const char* what, std::size_t index, float saved, double here) {
     constexpr double rounding = 1e-5;
     if (!(std::abs(double(saved) - here) <= rounding * (1 + std::abs(here))))
@@ -120,7 +120,7 @@ std::uint64_t WetCloth::Layer::topologyHash() const {
     return checksumOf(writer.bytes());
 }
 
-/// Changes nothing.
+// Changes nothing.
 void WetCloth::Layer::checkSections(const Snapshot& snapshot) {
     StateReader reader(snapshot.state());
     forEachSection([&](const char* name, auto state) {
@@ -133,8 +133,8 @@ void WetCloth::Layer::checkSections(const Snapshot& snapshot) {
     checkEnd(reader, "END");
 }
 
-/// Sources, of which an application's own may refuse, come first.
-/// @pre the sections are checked
+// Sources, of which an application's own may refuse, come first.
+// @pre the sections are checked
 void WetCloth::Layer::restoreSections(const Snapshot& snapshot) {
     StateReader ahead(snapshot.state());
     forEachSection([&](const char* name, auto) { readSection(ahead, name); });
@@ -147,7 +147,7 @@ void WetCloth::Layer::restoreSections(const Snapshot& snapshot) {
     });
 }
 
-/// What does not change, so that another sheet is told.
+// What does not change, so that another sheet is told.
 void WetCloth::Layer::clothState(BulletPass& pass) {
     const std::string name = pass.value(fabric.name);
     checkSame("parameters of its fabric", pass.count(fabricParameters().size()), fabricParameters().size());
@@ -266,7 +266,7 @@ void WetCloth::Layer::checkSources(StateReader reader) const {
     checkEnd(reader, sourcesSection);
 }
 
-/// All sources or none. @pre they are checked
+// All sources or none. @pre they are checked
 void WetCloth::Layer::loadSources(StateReader reader) {
     std::vector<StateWriter> before(suppliers.size());
     for (std::size_t i = 0; i < suppliers.size(); ++i) suppliers[i].source->save(before[i]);

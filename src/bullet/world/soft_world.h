@@ -10,24 +10,24 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// The same world. @throws std::invalid_argument if it is none that moves soft bodies
+// The same world. @throws std::invalid_argument if it is none that moves soft bodies
 btDiscreteDynamicsWorld& checkedSoftWorld(btDiscreteDynamicsWorld& world);
 
-/// Whether it is Bullet's deformable world.
+// Whether it is Bullet's deformable world.
 bool isDeformable(const btDiscreteDynamicsWorld& world);
 
-/// Its soft bodies. @pre the world is a checked one
+// Its soft bodies. @pre the world is a checked one
 const btAlignedObjectArray<btSoftBody*>& softBodiesOf(btDiscreteDynamicsWorld& world);
 
-/// What its soft bodies share. @pre the world is a checked one
+// What its soft bodies share. @pre the world is a checked one
 const btSoftBodyWorldInfo& worldInfoOf(btDiscreteDynamicsWorld& world);
 
-/// How a deformable world integrates.
+// How a deformable world integrates.
 struct DeformableMode {
     bool implicit;       // setImplicit
     bool useProjection;  // setUseProjection
 };
-/// @pre the world is deformable
+// @pre the world is deformable
 DeformableMode deformableModeOf(const btDiscreteDynamicsWorld& world);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -8,10 +8,10 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Runs from when it is made.
+// Runs from when it is made.
 class StopWatch {
   public:
-    /// Time since the last lap, s.
+    // Time since the last lap, s.
     double lap() {
         const Clock::time_point now = Clock::now();
         const double took = std::chrono::duration<double>(now - from_).count();

@@ -13,7 +13,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-/// Bullet sets callbacks and takes actions but has no way to ask for either; a derived class may look.
+// Bullet sets callbacks and takes actions but has no way to ask for either; a derived class may look.
 struct Hidden : btDiscreteDynamicsWorld {
     static btInternalTickCallback preTickOf(btDynamicsWorld& world) {
         return world.*(&Hidden::m_internalPreTickCallback);
@@ -31,17 +31,17 @@ constexpr bool isPreTick = true;
 
 }  // namespace
 
-/// Parts of a chain.
+// Parts of a chain.
 namespace ticks {
 
-/// Does nothing. A world that has it is the one that got it, and not a later one in the same place of memory.
+// Does nothing. A world that has it is the one that got it, and not a later one in the same place of memory.
 class WorldMark final : public btActionInterface {
   public:
     void updateAction(btCollisionWorld*, btScalar) override {}
     void debugDraw(btIDebugDraw*) override {}
 };
 
-/// Listeners of one moment. They may come and go while they are called.
+// Listeners of one moment. They may come and go while they are called.
 class Listeners {
   public:
     bool has(TickListener& listener) const {
@@ -54,7 +54,7 @@ class Listeners {
     }
     void clear() { all_.clear(); }
 
-    /// Those that come meanwhile are called as well.
+    // Those that come meanwhile are called as well.
     void call(void (TickListener::*tick)(btScalar), btScalar dt) {
         struct Calling {
             Listeners& listeners;
@@ -77,7 +77,7 @@ class Listeners {
     bool isCalling_ = false;
 };
 
-/// The application's pre-tick callbacks that were found in the world's slot, oldest first.
+// The application's pre-tick callbacks that were found in the world's slot, oldest first.
 class ApplicationCallbacks {
   public:
     void found(btInternalTickCallback callback) {
@@ -87,8 +87,8 @@ class ApplicationCallbacks {
         all_.push_back(callback);
     }
 
-    /// Calls the newest. Should the application have chained it onto ours, it calls ours again and means the one
-    /// before.
+    // Calls the newest. Should the application have chained it onto ours, it calls ours again and means the one
+    // before.
     void call(btDynamicsWorld* world, btScalar dt) {
         if (depth_ >= all_.size()) return;
         struct Deeper {
@@ -111,7 +111,7 @@ class ApplicationCallbacks {
 
 }  // namespace ticks
 
-/// What happens in a world's substeps.
+// What happens in a world's substeps.
 struct Ticks::Chain {
     ticks::WorldMark mark;
     ticks::ApplicationCallbacks beforePreTick;
@@ -120,9 +120,9 @@ struct Ticks::Chain {
     ticks::Listeners atPostTick;                      // of the next one
 };
 
-/// A tick callback is told its world and nothing else, and the world's user info belongs to the application: this
-/// table is the only way from the world to its chain. A chain stays until another world begins in the same place,
-/// since a world may hold our callback and our mark that long, and does not say when it ends.
+// A tick callback is told its world and nothing else, and the world's user info belongs to the application: this
+// table is the only way from the world to its chain. A chain stays until another world begins in the same place,
+// since a world may hold our callback and our mark that long, and does not say when it ends.
 class Ticks::Table {
   public:
     static Table& instance() {
@@ -131,7 +131,7 @@ class Ticks::Table {
         return table;
     }
 
-    /// None for a world that has got none, also where another had one in the same place.
+    // None for a world that has got none, also where another had one in the same place.
     std::shared_ptr<Chain> chainOf(btDynamicsWorld& world) {
         const std::lock_guard<std::mutex> lock(mutex_);
         const auto known = chains_.find(&world);

@@ -19,7 +19,7 @@ inline btVector3 toBullet(const Eigen::Vector3d& v) {
     return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
 }
 
-/// Of a packed node of any kind.
+// Of a packed node of any kind.
 template <typename Node>
 btVector3 vectorOf(const Node& node) {
     return {btScalar(node.x), btScalar(node.y), btScalar(node.z)};

@@ -16,7 +16,7 @@
 
 namespace {
 
-/// The deformable world as Bullet's examples set it up.
+// The deformable world as Bullet's examples set it up.
 class World {
   public:
     World() {
@@ -35,7 +35,7 @@ class World {
         world_.addForce(&body, &gravity_);
     }
 
-    /// Explicit steps, none longer than the cloth allows.
+    // Explicit steps, none longer than the cloth allows.
     void run(double time, const drench::WetCloth& cloth) {
         const int steps = int(std::ceil(time / cloth.stepBound()));
         constexpr int asGiven = 0;
@@ -53,7 +53,7 @@ class World {
                                               &solver_};
 };
 
-/// A rigid body of one shape, in a world as long as it lives.
+// A rigid body of one shape, in a world as long as it lives.
 class Solid {
   public:
     Solid(World& world, std::unique_ptr<btCollisionShape> shape, btScalar mass, const btVector3& position)
@@ -78,7 +78,7 @@ class Solid {
     std::unique_ptr<btRigidBody> body_;
 };
 
-/// The application's own deformable: a patch of springs, of which Drench knows nothing.
+// The application's own deformable: a patch of springs, of which Drench knows nothing.
 class Rubber {
   public:
     explicit Rubber(World& world) : world_(world) {
@@ -103,7 +103,7 @@ class Rubber {
     std::unique_ptr<btSoftBody> body_;
 };
 
-/// A square metre of polyester, held at its four corners.
+// A square metre of polyester, held at its four corners.
 class Awning {
   public:
     explicit Awning(World& world)

@@ -17,7 +17,7 @@
 
 namespace {
 
-/// A source of the application's own: what is near it condenses steam.
+// A source of the application's own: what is near it condenses steam.
 class Steamer final : public drench::Source {
   public:
     explicit Steamer(const Eigen::Vector3d& position) : position_(position) {}
@@ -35,7 +35,7 @@ class Steamer final : public drench::Source {
     Eigen::Vector3d position_;
 };
 
-/// One garment in one world: comes with its constructor and goes with its destructor.
+// One garment in one world: comes with its constructor and goes with its destructor.
 class Garment {
   public:
     Garment(btSoftRigidDynamicsWorld& world, const TriangleMesh& mesh, const drench::Fabric& fabric,
@@ -87,7 +87,7 @@ class Garment {
     double waist_ = 0;
 };
 
-/// The world of the wardrobe: gravity, and Drench's solver.
+// The world of the wardrobe: gravity, and Drench's solver.
 class Wardrobe {
   public:
     Wardrobe() {
@@ -121,7 +121,7 @@ bool isWhole(Garment& garment) {
            std::abs(garment.cloth().ledger().imbalance()) < 1e-9;
 }
 
-/// Hangs up skirts, steams one, takes one away for another. @return whether all went well
+// Hangs up skirts, steams one, takes one away for another. @return whether all went well
 bool changeClothes(const TriangleMesh& skirt) {
     Wardrobe wardrobe;
     std::list<Garment> garments;

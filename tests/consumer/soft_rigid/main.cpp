@@ -14,7 +14,7 @@
 
 namespace {
 
-/// The application's solver: Bullet's own, which also counts what it is given to do.
+// The application's solver: Bullet's own, which also counts what it is given to do.
 class CountingSolver final : public btDefaultSoftBodySolver {
   public:
     void solveConstraints(btScalar substep) override {
@@ -27,7 +27,7 @@ class CountingSolver final : public btDefaultSoftBodySolver {
     int bodiesSolved_ = 0;
 };
 
-/// The application's world: a ground, and on it a jelly that a breeze pushes along.
+// The application's world: a ground, and on it a jelly that a breeze pushes along.
 class Yard {
   public:
     Yard() {
@@ -90,7 +90,7 @@ class Yard {
     int breezes_ = 0;
 };
 
-/// A square metre of linen that hangs from a line by its two upper corners.
+// A square metre of linen that hangs from a line by its two upper corners.
 class Laundry {
   public:
     Laundry(btSoftRigidDynamicsWorld& world, btScalar position)
@@ -112,7 +112,7 @@ class Laundry {
     Laundry& operator=(const Laundry&) = delete;
 
     drench::WetCloth& cloth() { return *cloth_; }
-    /// Height of the middle of its lower edge, m.
+    // Height of the middle of its lower edge, m.
     double lowerEdge() const { return sheet_->m_nodes[nodes * (nodes - 1) + nodes / 2].m_x.y(); }
 
   private:
@@ -123,7 +123,7 @@ class Laundry {
     std::unique_ptr<drench::WetCloth> cloth_;
 };
 
-/// The stock solver gives cloth its weight in substeps that are as short as its links ask for.
+// The stock solver gives cloth its weight in substeps that are as short as its links ask for.
 constexpr int frames = 120;
 constexpr int substepsAFrame = 20;
 
@@ -133,7 +133,7 @@ void run(Yard& yard) {
         yard.world().stepSimulation(frame, substepsAFrame + 1, frame / substepsAFrame);
 }
 
-/// Drench says what it cannot do by exceptions of the standard library.
+// Drench says what it cannot do by exceptions of the standard library.
 bool refusesSpray(drench::WetCloth& cloth, double rate) {
     try {
         cloth.add(drench::Spray({0, 2, 0}, {0, -1, 0}, rate));
