@@ -29,15 +29,14 @@ void appendNumber(std::string& text, Number value, Format... format) {
 
 template <typename Float>
 void appendFloat(std::string& text, Float value) {
-    if (std::isnan(value)) {
+    if (std::isnan(value))
         text += "NaN";
-    } else if (std::isinf(value)) {
+    else if (std::isinf(value))
         text += value < 0 ? "-infinity" : "infinity";
-    } else if (std::abs(value) >= Float(1e-4) && std::abs(value) < Float(1e6)) {
+    else if (std::abs(value) >= Float(1e-4) && std::abs(value) < Float(1e6))
         appendNumber(text, value, std::chars_format::fixed);  // 100000 reads better than 1e5
-    } else {
+    else
         appendNumber(text, value);
-    }
 }
 
 }  // namespace

@@ -37,19 +37,13 @@ fs::path unfinished(const fs::path& path) {
 void checkWritable(const fs::path& name) {
     const fs::path path = resolved(name);
     std::error_code problem;
-    if (fs::exists(path, problem) && !fs::is_regular_file(path, problem)) {
+    if (fs::exists(path, problem) && !fs::is_regular_file(path, problem))
         refuseToWrite(path, "it is there, and is not a file; choose another name");
-    }
-    if (path.has_parent_path()) {
-        fs::create_directories(path.parent_path(), problem);
-    }
-    if (problem) {
-        refuseToWrite(path, "its folder cannot be created; choose another");
-    }
+    if (path.has_parent_path()) fs::create_directories(path.parent_path(), problem);
+    if (problem) refuseToWrite(path, "its folder cannot be created; choose another");
     const fs::path trial = unfinished(path);
-    if (!std::ofstream(trial)) {
+    if (!std::ofstream(trial))
         refuseToWrite(path, "its folder lets nobody write, or not you; choose another");
-    }
     fs::remove(trial, problem);
 }
 
@@ -61,37 +55,24 @@ void writeWhole(const fs::path& name, std::string_view contents) {
     file.write(contents.data(), static_cast<std::streamsize>(contents.size()));
     file.close();
     std::error_code problem;
-    if (file) {
-        fs::rename(trial, path, problem);
-    }
-    if (file && !problem) {
-        return;
-    }
+    if (file) fs::rename(trial, path, problem);
+    if (file && !problem) return;
     fs::remove(trial, problem);
     refuseToWrite(path, "is the disk full, or the name too long?");
 }
 
 std::string readWhole(const fs::path& path, std::size_t maxBytes) {
     std::error_code problem;
-    if (!fs::exists(path, problem)) {
-        throw std::invalid_argument("there is no such file");
-    }
-    if (!fs::is_regular_file(path, problem)) {
-        throw std::invalid_argument("it is no file");
-    }
+    if (!fs::exists(path, problem)) throw std::invalid_argument("there is no such file");
+    if (!fs::is_regular_file(path, problem)) throw std::invalid_argument("it is no file");
     std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        throw std::invalid_argument("it cannot be opened");
-    }
+    if (!file) throw std::invalid_argument("it cannot be opened");
     const std::uintmax_t size = fs::file_size(path, problem);
-    if (problem || size > maxBytes) {
+    if (problem || size > maxBytes)
         throw std::invalid_argument(textOf("it has more than ", maxBytes >> 20, " MB"));
-    }
     std::string contents(static_cast<std::size_t>(size), '\0');
     file.read(contents.data(), static_cast<std::streamsize>(contents.size()));
-    if (file.bad()) {
-        throw std::invalid_argument("it cannot be read");
-    }
+    if (file.bad()) throw std::invalid_argument("it cannot be read");
     contents.resize(static_cast<std::size_t>(file.gcount()));
     return contents;
 }
