@@ -191,8 +191,8 @@ TEST(Messages, Sources) {
     const Brush brush({0, 0, 0}, 0.1, 1);
     expectReadable("Brush::radius", ofSource<Brush>(brush, [](Brush& b, double x) { b.radius = x; }));
     expectReadable("Brush::rate", ofSource<Brush>(brush, [](Brush& b, double x) { b.rate = x; }));
-    expectReadable("mass of a Soak", [](double x) { TimedSoak({0}, x); });
-    expectReadable("duration of a Soak", [](double x) { TimedSoak({0}, 1, x); });
+    expectReadable("mass of a TimedSoak", [](double x) { TimedSoak({0}, x); });
+    expectReadable("duration of a TimedSoak", [](double x) { TimedSoak({0}, 1, x); });
     const Mask mask{1, 1, {0.5f}};
     expectReadable("mass per area", [&](double x) { TimedSoak::picture(mask, x); });
     expectReadable("time step", [&](double x) {
@@ -229,7 +229,7 @@ TEST(Messages, FloatsReadAsTheyWereGiven) {
     EXPECT_EQ(test::complaint([] {
                   TimedSoak::picture({1, 1, {1.1f}}, 1);
               }),
-              "drench: a value of a Soak's mask is 1.1; give a value from 0 to 1");
+              "drench: a value of a TimedSoak's mask is 1.1; give a value from 0 to 1");
     EXPECT_EQ(test::complaint([] {
                   checkPosition("Brush::centre", {0.1, 1e-7, 1e10});
               }),
