@@ -74,7 +74,7 @@ class Arrows(unittest.TestCase):
         for include in ("<BulletSoftBody/btSoftBody.h>", "<LinearMath/btVector3.h>", "<btBulletDynamicsCommon.h>",
                         "<bullet/btBulletCollisionCommon.h>"):
             self.assert_wrong("src/water/planted.h", include, "knows no Bullet")
-        self.assert_wrong("src/bullet/packed/planted.h", "<LinearMath/btVector3.h>", "knows no Bullet")
+        self.assert_wrong("src/bullet/simd/planted.h", "<LinearMath/btVector3.h>", "knows no Bullet")
         self.assert_wrong("src/files/planted.cpp", '"drench/wet_cloth.h"', "above")
 
     def test_bullet_by_way_of_a_public_header(self):
@@ -90,7 +90,7 @@ class Arrows(unittest.TestCase):
         found = self.found("src/bullet/world/planted.h", '"water/wicking.h"')
         lacks = "CONTRIBUTING.md:1: lacks what arrows.py --draw prints: "
         self.assertEqual(found, [lacks + "src/bullet/contact        -> src/bullet/world",
-                                 lacks + "src/bullet/world          -> src/bullet/packed  src/water"])
+                                 lacks + "src/bullet/world          -> src/bullet/simd  src/water"])
 
     def test_a_room_that_is_not_listed(self):
         self.assert_wrong("src/attic/planted.h", "<vector>", "src/attic", "not in rooms.txt")

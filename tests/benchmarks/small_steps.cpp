@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "bullet/packed/independent_blocks.h"
-#include "bullet/packed/small_step_kernels.h"
+#include "bullet/simd/independent_blocks.h"
+#include "bullet/simd/small_step_kernels.h"
 #include "cloth/link_stiffness.h"
 #include "machine.h"
 #include "static_equilibrium.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bullet/packed/fluid_kernels.h"
+#include "bullet/simd/fluid_kernels.h"
 #include "drench/water.h"
 #include "worlds.h"
 

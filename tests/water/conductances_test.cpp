@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "meshes.h"
+#include "cloth/meshes.h"
 
 namespace drench::conductances_test {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/meshes.h"
 #include "drench/drying.h"
 #include "drench/moisture.h"
-#include "meshes.h"
 
 namespace drench::exchange_test {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
+#include "cloth/meshes.h"
 #include "drench/moisture.h"
 #include "drench/water.h"
-#include "meshes.h"
 
 namespace drench::film_test {
 namespace {

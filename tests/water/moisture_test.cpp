@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "meshes.h"
+#include "cloth/meshes.h"
 
 namespace drench::moisture_test {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "cloth/meshes.h"
 #include "drench/moisture.h"
-#include "meshes.h"
 
 namespace drench::property_test {
 namespace {

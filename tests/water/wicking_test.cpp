@@ -4,8 +4,8 @@
 #include <functional>
 #include <random>
 
+#include "cloth/meshes.h"
 #include "drench/moisture.h"
-#include "meshes.h"
 
 namespace drench::wicking_test {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "bullet/packed/independent_blocks.h"
-#include "bullet/packed/node_arrays.h"
+#include "bullet/simd/independent_blocks.h"
+#include "bullet/simd/node_arrays.h"
 #include "bullet/world/vectors.h"
 #include "drench/source.h"
 #include "drench/water.h"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "bullet/fluid/submersion.h"
-#include "bullet/packed/fluid_kernels.h"
 #include "bullet/sheet/pose.h"
 #include "bullet/sheet/sheet_mechanics.h"
+#include "bullet/simd/fluid_kernels.h"
 #include "drench/config.h"
 #include "drench/fabric.h"
 #include "drench/moisture.h"

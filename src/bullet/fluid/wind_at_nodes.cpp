@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "bullet/fluid/rigid_shelter.h"
-#include "bullet/packed/node_arrays.h"
+#include "bullet/simd/node_arrays.h"
 #include "bullet/world/vectors.h"
 #include "checks/checks.h"
 #include "cloth/compressed_rows.h"

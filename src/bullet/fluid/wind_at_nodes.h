@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "bullet/packed/nodes.h"
 #include "bullet/sheet/pose.h"
+#include "bullet/simd/nodes.h"
 #include "drench/air.h"
 #include "drench/cloth_mesh.h"
 #include "drench/config.h"

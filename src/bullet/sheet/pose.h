@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "bullet/packed/nodes.h"
+#include "bullet/simd/nodes.h"
 #include "bullet/world/vectors.h"
 #include "drench/cloth_mesh.h"
 #include "drench/config.h"

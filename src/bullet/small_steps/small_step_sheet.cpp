@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "bullet/packed/independent_blocks.h"
+#include "bullet/simd/independent_blocks.h"
 #include "bullet/world/limits.h"
 #include "cloth/plate_bending.h"
 

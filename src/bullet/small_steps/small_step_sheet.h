@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "bullet/packed/small_step_kernels.h"
 #include "bullet/sheet/sheet_mechanics.h"
+#include "bullet/simd/small_step_kernels.h"
 #include "bullet/world/vectors.h"
 #include "drench/config.h"
 

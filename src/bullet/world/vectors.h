@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "bullet/packed/nodes.h"
+#include "bullet/simd/nodes.h"
 #include "drench/config.h"
 
 namespace drench {

@@ -1,10 +1,10 @@
-#include "bullet/packed/small_step_kernels.h"
+#include "bullet/simd/small_step_kernels.h"
 
 #include <cmath>
 
-#include "bullet/packed/scalar_vectors.h"
+#include "bullet/simd/scalar_vectors.h"
 #if defined(__GNUC__)
-#include "bullet/packed/small_step_kernels_wide.h"
+#include "bullet/simd/small_step_kernels_wide.h"
 #endif
 
 namespace drench {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bullet/packed/nodes.h"
+#include "bullet/simd/nodes.h"
 
 namespace drench {
 namespace wide {

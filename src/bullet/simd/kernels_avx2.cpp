@@ -1,6 +1,6 @@
 // Compiled for AVX2 and FMA; called only where the processor has them.
-#include "bullet/packed/fluid_kernels_wide.h"
-#include "bullet/packed/small_step_kernels_wide.h"
+#include "bullet/simd/fluid_kernels_wide.h"
+#include "bullet/simd/small_step_kernels_wide.h"
 
 namespace drench {
 

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "cloth/meshes.h"
 #include "drench/drying.h"
 #include "drench/fabric.h"
 #include "drench/moisture.h"
 #include "drench/sources.h"
 #include "drench/surface.h"
 #include "drench/wind.h"
-#include "water/meshes.h"
-#include "water/sheet_stand_in.h"
+#include "sources/sheet_stand_in.h"
 
 namespace drench::checks_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bullet/packed/nodes.h"
+#include "bullet/simd/nodes.h"
 #include "cloth/independent_sets.h"
 
 namespace drench {

@@ -1,8 +1,8 @@
 // The hot loops of the small steps, eight links or plates at a time.
 #pragma once
 
-#include "bullet/packed/small_step_kernels.h"
-#include "bullet/packed/wide_vectors.h"
+#include "bullet/simd/small_step_kernels.h"
+#include "bullet/simd/wide_vectors.h"
 
 namespace drench {
 namespace wide {

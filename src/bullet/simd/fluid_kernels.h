@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bullet/packed/nodes.h"
+#include "bullet/simd/nodes.h"
 
 namespace drench {
 

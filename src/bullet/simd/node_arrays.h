@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "bullet/packed/nodes.h"
+#include "bullet/simd/nodes.h"
 
 namespace drench {
 

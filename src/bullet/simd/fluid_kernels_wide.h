@@ -1,8 +1,8 @@
 // The forces of air and water on eight faces at a time.
 #pragma once
 
-#include "bullet/packed/fluid_kernels.h"
-#include "bullet/packed/wide_vectors.h"
+#include "bullet/simd/fluid_kernels.h"
+#include "bullet/simd/wide_vectors.h"
 
 namespace drench {
 namespace wide {

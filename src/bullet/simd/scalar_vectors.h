@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bullet/packed/nodes.h"
+#include "bullet/simd/nodes.h"
 
 namespace drench {
 
