@@ -25,7 +25,7 @@ struct Corners {
     btVector3 opposite;  ///< end of the last row
 };
 
-/// Corners of a parallelogram, from one corner and the vectors along its two sides, m.
+/// Corners of a parallelogram, from one corner and the vectors along its two edges, m.
 DRENCH_API Corners flatCorners(const btVector3& origin, const btVector3& warpEdge, const btVector3& weftEdge);
 
 /// Makes a grid of nodesWarp x nodesWeft nodes. Node (i, j) has index i + j nodesWarp; nodes are evenly spaced.
