@@ -71,7 +71,7 @@ void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, con
     surface.normal = contact.m_cti.m_normal;
     surface.distance = surface.normal.dot(node.m_x - ofSolid) + contact.m_cti.m_offset + margin;
     const btScalar approach = motion.dot(surface.normal), start = surface.distance - margin - approach;
-    // A node that was inside before and stays inside is moved out by at most one margin at a time.
+    // A node that was inside before and stays inside is moved out by at most the margin plus its own motion.
     const btScalar lifted = std::clamp(-start, btScalar(0), margin + motion.length());
     lift(node, surface.normal * lifted);
     surface.distance += lifted;
