@@ -1,4 +1,4 @@
-// Compiled for AVX2 and FMA; called only where the processor has them.
+// Compiled for AVX2 and FMA; called only if the processor supports them.
 #include "bullet/packed/fluid_kernels_wide.h"
 #include "bullet/packed/small_step_kernels_wide.h"
 
