@@ -70,8 +70,7 @@ class WindAtNodes {
     bool isUniform_ = true;
 
     std::array<std::size_t, 3> points_ = {2, 2, 2};  // along each axis
-    Eigen::Array4f low_ =
-        Eigen::Array4f::Zero();  // corner of the lattice, m, relative to the origin of the pose
+    Eigen::Array4f low_ = Eigen::Array4f::Zero();    // lowest corner, m, relative to the pose's origin
     Eigen::Array4f distance_ = Eigen::Array4f::Ones();
     std::array<PackedVector, maxPoints * maxPoints * maxPoints> lattice_{};  // m/s
 

@@ -161,8 +161,7 @@ void WetCloth::Layer::readAir(double bodyStep) {
         winds.evaluate(usedAir, {pose, toEigen(pose.origin), time, bodyStep, world});
     } catch (const std::exception& problem) {
         const std::string why = reasonOf(problem);
-        const bool isNamed =
-            why.find("wind field") != std::string::npos;  // true for messages of Drench's own checks
+        const bool isNamed = why.find("wind field") != std::string::npos;  // in Drench's own messages
         diagnostics.noteThrown(Trouble::air,
                                isNamed ? why : textOf("the wind field in WetCloth::air().field: ", why));
     }

@@ -76,8 +76,7 @@ class Recutter {
                 flat[0] * weights[corner][0] + flat[1] * weights[corner][1] + flat[2] * weights[corner][2];
         }
         const double area = triangleArea(coordinates) * restOverMaterial(origin);
-        constexpr double thinnest =
-            1e-9;  // in barycentric coordinates; thinner pieces would need too many steps
+        constexpr double thinnest = 1e-9;  // of the old area; thinner pieces take too many steps
         if (!(area > thinnest * old_.triangleAreas[origin]))
             throw std::invalid_argument(textOf("face ", cut_.shape.triangles.size(),
                                                " has less than 1e-9 of the area of the face that it is of"));
