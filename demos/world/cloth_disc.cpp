@@ -199,7 +199,7 @@ std::unique_ptr<btSoftBody> makeDisc(btSoftBodyWorldInfo& worldInfo, const Fabri
     double area = 0;
     for (const auto& triangle : mesh.triangles) {
         body->appendFace(triangle[0], triangle[2],
-                         triangle[1]);  // y is up, so the rotation from x to z is clockwise
+                         triangle[1]);  // clockwise from above, because y is up
         const Eigen::Vector2d& origin = mesh.nodes[std::size_t(triangle[0])];
         const double faceArea = cross(mesh.nodes[std::size_t(triangle[1])] - origin,
                                       mesh.nodes[std::size_t(triangle[2])] - origin) /
