@@ -183,7 +183,6 @@ void WetSpringForce::addScaledElasticForceDifferential(btScalar scale, const TVS
 
 // Diagonal stiffness of a node in addition to its mass. Bullet divides by the sum of both when it predicts
 // and stops a node in contact; with the mass alone, implicit contacts are unstable.
-// predicts and stops a node that touches something; by the mass alone, implicit contacts blow up.
 void WetSpringForce::addScaledHessian(btScalar scale) {
     if (!pulls()) return;
     btSoftBody& body = *m_softBodies[0];
