@@ -70,8 +70,7 @@ class Exporter final : public FrameKeeper {
     Animation animation_;
 };
 
-// Renders frames off screen and records a video; each frame is repeated as often as needed for real-time
-// speed.
+// Renders frames off screen and records a video, with the frame rate that shows simulated time in real time.
 class Film final : public FrameKeeper {
   public:
     // @throws std::runtime_error as Recorder

@@ -60,7 +60,7 @@ struct SheetSettings {
     std::vector<std::array<Eigen::Vector2d, 3>> faceCoordinates;
 
     /// Ratio of water time to the body's time, dimensionless; 0 to 1e5; default 1. At 60 an hour of drying takes a
-    /// minute. Sources run in water time, but the momentum of the water that arrives is divided by this ratio.
+    /// minute. Sources run in water time; if the ratio is above 1, the momentum of arriving water is divided by it.
     double waterSpeed = 1;
 
     /// Who calls `WetCloth::preSubstep`; default: the world.
