@@ -30,7 +30,7 @@ const Names<viewer::Material> materialNames = {{"paint", viewer::Material::paint
                                                {"stone", viewer::Material::stone},
                                                {"rope", viewer::Material::rope}};
 const Names<std::size_t> waterNames = {
-    {"spray", 0}, {"pool", 1}, {"soak", 2}, {"brush", 3}};  // as in the variant
+    {"spray", 0}, {"pool", 1}, {"soak", 2}, {"brush", 3}};  // in the order of the variant
 
 template <typename Fields>
 void exchangeWeather(Fields& fields, Weather& weather) {
@@ -65,8 +65,9 @@ void exchangeCamera(Fields& fields, viewer::Camera& camera) {
     angle(fields, "fieldOfView", camera.verticalFieldOfView, {5, 120});
 }
 
-// The shortest turn that takes the y axis to a direction; half a turn round z where that is straight down. As
-// Eigen::Quaterniond::FromTwoVectors, whose singular values take seconds to compile.
+// The shortest rotation that takes the y axis to a direction; half a turn around z if the direction is
+// straight down. The same as Eigen::Quaterniond::FromTwoVectors, whose singular value decomposition takes
+// seconds to compile.
 Eigen::Quaterniond turnFromY(const Eigen::Vector3d& direction) {
     const Eigen::Vector3d along = direction.normalized();
     if (along.y() < -1 + 1e-12) return {0, 0, 0, 1};
@@ -75,7 +76,7 @@ Eigen::Quaterniond turnFromY(const Eigen::Vector3d& direction) {
     return {doubledCosine * 0.5, axis.x(), axis.y(), axis.z()};
 }
 
-// A capsule is given by its ends.
+// In files a capsule is given by its ends.
 template <typename Fields>
 void exchangeEnds(Fields& fields, SolidDescription& solid) {
     constexpr double shortest = 1e-4;  // m
@@ -102,7 +103,7 @@ void exchangeTurn(FieldReader& fields, Eigen::Quaterniond& turn) {
 }
 
 void exchangeTurn(FieldWriter& fields, const Eigen::Quaterniond& turn) {
-    constexpr double digits = 1e12;  // of which the last ones do not change when it is read and written again
+    constexpr double digits = 1e12;  // rounding makes reading and writing reproduce the same numbers
     const Eigen::AngleAxisd now(turn);
     const double inDegrees = std::round(digits * degrees(now.angle())) / digits;
     if (inDegrees == 0) return;
@@ -124,7 +125,7 @@ void exchangeShape(Fields& fields, SolidDescription& solid) {
     if (solid.shape == Shape::ball || solid.shape == Shape::box) exchangeTurn(fields, solid.turn);
 }
 
-// Of lighter bodies single precision cannot hold the inverse inertia.
+// Single precision cannot represent the inverse inertia of lighter bodies.
 void checkMass(const FieldReader& fields, double mass) {
     constexpr double lightest = 1e-6;  // kg
     if (mass > 0 && mass < lightest)
@@ -225,7 +226,7 @@ void exchangeSource(Fields& fields, SourceDescription& source) {
     std::visit([&](auto& water) { exchangeWater(fields, water); }, source.water);
 }
 
-// Refuses a name that an entry before has.
+// Refuses duplicate names.
 template <typename Entries>
 void checkNames(const FieldReader& fields, const std::string& list, const Entries& entries) {
     std::set<std::string> names;
@@ -235,7 +236,7 @@ void checkNames(const FieldReader& fields, const std::string& list, const Entrie
                           "\", which another has already");
 }
 
-// What depends on several of a scene's parts.
+// Checks that involve several parts of a scene.
 void checkWhole(const FieldReader& fields, const SceneDescription& scene) {
     double nodes = 0;
     for (const SheetDescription& sheet : scene.sheets) nodes += double(sheet.nodes[0]) * sheet.nodes[1];

@@ -1,4 +1,4 @@
-// What the fields of a scene file have in common, and those of its sheets.
+// Fields that the parts of a scene file share, and those of its sheets.
 #pragma once
 
 #include <cmath>
@@ -19,19 +19,19 @@ using files::Range;
 using files::shown;
 
 inline constexpr Range positionRange{-1e4, 1e4};  // m
-inline constexpr Range directions{-1e6, 1e6};     // of vectors whose length does not count
+inline constexpr Range directions{-1e6, 1e6};     // for vectors whose length is irrelevant
 inline constexpr Range unitRange{0, 1};
 inline constexpr Range speeds{-1e3, 1e3};  // m/s
 inline constexpr double minDirection = 1e-6;
-inline constexpr double maxNodes = 2.5e5;  // of all sheets together
+inline constexpr double maxNodes = 2.5e5;  // total of all sheets
 
-// Without the digits that a single-precision number only seems to have.
+// Without the spurious digits of a single-precision number.
 inline double widened(float value) {
     constexpr double digits = 1e6;
     return std::round(double(value) * digits) / digits;
 }
 
-// An angle that a file has in degrees.
+// An angle that is stored in degrees.
 template <typename Fields, typename Number>
 void angle(Fields& fields, const std::string& key, Number& value, const Range& range) {
     double inDegrees = degrees(double(value));

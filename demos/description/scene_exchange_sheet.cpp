@@ -45,7 +45,7 @@ void exchangeFabric(FieldWriter& fields, const FabricDescription& fabric) {
     fields.put("fabric", object);
 }
 
-// One number of a pin, or "all".
+// One index of a pin, or "all".
 std::optional<int> pinNumber(const FieldReader& fields, const nlohmann::json& value, const std::string& key,
                              int nodes) {
     if (value == "all") return std::nullopt;
@@ -124,7 +124,7 @@ void exchangeState(Fields& fields, SheetDescription& sheet) {
     if (Fields::reads || sheet.state) fields.object("state", all);
 }
 
-// Warp and weft must leave a sheet between them.
+// Warp and weft must span an area.
 void checkSides(const FieldReader& fields, const SheetDescription& sheet) {
     constexpr double minSine = 0.05;
     if (sheet.warp.cross(sheet.weft).norm() < minSine * sheet.warp.norm() * sheet.weft.norm())

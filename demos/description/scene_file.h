@@ -1,4 +1,4 @@
-// Scenes as JSON text and files; docs/scene-files.md says what may stand in them.
+// Scenes as JSON text and files; docs/scene-files.md lists the keys.
 #pragma once
 
 #include <filesystem>
@@ -10,19 +10,19 @@
 namespace drench::demo {
 
 // Reads a scene from JSON text.
-// @throws std::invalid_argument that names the key by its path, as in `sheets[1].fabric.stretchWarp`, or line and
-//     column where the syntax is broken, and says what may be given
+// @throws std::invalid_argument with the path of the key, as in `sheets[1].fabric.stretchWarp`, or line and
+//     column of a syntax error, and the valid values
 SceneDescription readScene(std::string_view text);
 
-// The scene as JSON text, of which `readScene` makes the same.
+// The scene as JSON text, from which `readScene` makes the same scene.
 std::string sceneText(const SceneDescription& description);
 
 // Reads a scene file.
-// @throws std::runtime_error that names the file, and says what is wrong with it as `readScene`
+// @throws std::runtime_error with the name of the file and the reason, as `readScene`
 SceneDescription loadScene(const std::filesystem::path& path);
 
-// Writes a scene file, which appears under its name only once it is whole.
-// @throws std::runtime_error that names the path and says what is in the way, or the key that has come out of its range
+// Writes a scene file, atomically.
+// @throws std::runtime_error with the path and the reason, or the key whose value is out of range
 void saveScene(const std::filesystem::path& path, const SceneDescription& description);
 
 }  // namespace drench::demo

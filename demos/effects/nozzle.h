@@ -1,4 +1,4 @@
-// What sprays water.
+// A spray nozzle, for the pictures.
 #pragma once
 
 #include <Eigen/Core>

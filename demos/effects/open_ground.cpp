@@ -8,7 +8,8 @@ namespace drench::demo {
 
 void OpenGround::rain(double massPerArea, const Eigen::AlignedBox3d& followed) {
     followed_ = followed;
-    // Each drop covers less than its water does in one layer, some of it where others have been.
+    // Each drop wets a smaller area than its water would in one layer, and part of it where earlier drops
+    // have landed.
     covered_ += (1 - covered_) * std::min(withinOutline * massPerArea / WetSpots::layer, 1.0);
     massPerArea_ = std::min(massPerArea_ + massPerArea, WetSpots::maxLayers * WetSpots::layer * covered_);
 }

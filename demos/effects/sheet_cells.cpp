@@ -34,7 +34,7 @@ SheetCells::SheetCells(const btSoftBody& sheet) {
         const auto& corner = sheet.m_faces[f].m_n;
         const Eigen::Vector3d a = toEigen(corner[0]->m_x), b = toEigen(corner[1]->m_x),
                               c = toEigen(corner[2]->m_x);
-        // Corners, middles of the sides, middle: no farther apart than a cell.
+        // Corners, edge midpoints and centre: no farther apart than a cell.
         for (const Eigen::Vector3d& position : {a, b, c}) mark(position);
         for (const Eigen::Vector3d& sum :
              {Eigen::Vector3d(a + b), Eigen::Vector3d(b + c), Eigen::Vector3d(c + a)})

@@ -1,4 +1,4 @@
-// Where cloth is in the way of what falls, told coarsely and cheaply.
+// Finds cloth on the path of falling water, approximately and fast.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -10,12 +10,12 @@
 
 namespace drench::demo {
 
-// The cells of a grid round one sheet that the sheet runs through, as it was when this was made.
+// The cells of a grid around a sheet that contain parts of it, at the time of construction.
 class SheetCells {
   public:
     explicit SheetCells(const btSoftBody& sheet);
 
-    // The share of the way from one place to another after which it meets the sheet, to within a cell; none
+    // The fraction of the path between two positions after which it hits the sheet, accurate to a cell; none
     // if it does not.
     std::optional<double> firstMet(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
@@ -24,7 +24,7 @@ class SheetCells {
     Eigen::Vector3i cellAt(const Eigen::Vector3d& position) const;
     void mark(const Eigen::Vector3d& position) { taken_[indexOf(cellAt(position))] = 1; }
 
-    // Of a cell, m: about the length of a link, or more for a sheet that spans far more than its links.
+    // Size of a cell, m: about the length of a link, or more for a sheet that is much larger than its links.
     double size_ = 0.02;
     Eigen::AlignedBox3d box_;
     Eigen::Vector3i cells_ = Eigen::Vector3i::Zero();

@@ -19,18 +19,18 @@ namespace {
 const Eigen::Vector3d gravityVector(0, -9.81, 0);  // m/s2
 
 constexpr double waterDensity = 1000;       // kg/m3
-constexpr double exposure = 1.0 / 100;      // s, for which a drop of rain draws its streak
-constexpr double sprayExposure = 1.0 / 50;  // s, likewise of a spray
+constexpr double exposure = 1.0 / 100;      // s, exposure time for streaks of rain
+constexpr double sprayExposure = 1.0 / 50;  // s, the same for sprays
 constexpr double streakWidth = 0.0016;      // m
-constexpr double farDown = 100;             // m, that rain falls below its region to find what it lands on
-constexpr double shelterAbove = 30;         // m, up to which a roof over the region keeps the rain off
+constexpr double farDown = 100;             // m, distance below its region that rain falls
+constexpr double shelterAbove = 30;         // m, height above the region in which a roof gives shelter
 constexpr double sprayLife = 1.5;           // s
-constexpr double finestDrop = 0.6e-3;       // m, up to which a drop of a spray is no more than a streak
+constexpr double finestDrop = 0.6e-3;       // m, radius below which drops of a spray are streaks
 constexpr std::int64_t maxTogether = 4;
-constexpr double dropsPerSecond = 1500;  // that stand for the water of a nozzle
-constexpr double patchLength = 0.5;      // m, of a wet spot along the air, for its drying
+constexpr double dropsPerSecond = 1500;  // number that represents the water of a nozzle
+constexpr double patchLength = 0.5;      // m, length of a wet spot along the air flow, for its drying
 
-// Drops over 1 mm in a cubic metre of rain (Marshall & Palmer 1948).
+// Number of drops above 1 mm per cubic metre of rain (Marshall & Palmer 1948).
 double dropsPerVolume(double intensity) {
     const double slope = 4.1 * std::pow(intensity, -0.21);  // 1/mm
     return 8000 / slope * std::exp(-slope);
@@ -40,7 +40,7 @@ double dropRadius(double mass) {
     return std::cbrt(3 * mass / (4 * pi * waterDensity));
 }
 
-// Of the drops of sprays, that may be threads of water.
+// Random numbers for the drops of sprays, which may be threads of water.
 std::size_t jetThreads(const WaterEffectsLimits& limits) {
     return limits.drops / 8;
 }
@@ -101,7 +101,7 @@ void WaterEffects::follow(const FallingDrops& drops) {
                 splash({flight.position.x(), pool->max().y(), flight.position.z()}, flight.velocity.norm());
             continue;
         }
-        // Drops that fall together come one behind the other, as a thread of water does.
+        // Drops that fall together are drawn one behind the other, as a thread of water.
         const auto together = std::min<std::int64_t>(flight.count, maxTogether);
         for (std::int64_t i = 0; i < together && falling_.size() < limits_.drops; ++i)
             falling_.push_back(seen(flight.position - frame * double(i) / double(together) * flight.velocity,
@@ -129,14 +129,14 @@ void WaterEffects::step(double frameTime, const Air& air, double waterSpeed) {
     nozzles_.clear();
     flySplashes(frameTime);
     drift(frameTime, air);
-    // Places are wet on one face only.
+    // Wet spots have one wet face only.
     const double speed = std::min(air.wind.norm(), 100.0);
     const double dried = evaporation(air, speed, patchLength).rate / 2 * frameTime * waterSpeed;
     spots_.dry(dried);
     openGround_.dry(dried);
 }
 
-// From 0 to below 1, alike on every machine.
+// A number from 0 to below 1, the same on every machine.
 double WaterEffects::random() {
     return double(generator_()) / 4294967296.0;
 }
@@ -172,7 +172,7 @@ const Eigen::AlignedBox3d* WaterEffects::poolRound(const Eigen::Vector3d& positi
     return nullptr;
 }
 
-// Only where something falls that they could stop.
+// Only where there is falling water that they could stop.
 void WaterEffects::findSheets() {
     sheets_.clear();
     if (rain_.empty() && spray_.empty() && nozzles_.empty() && !(shower_.intensity > 0)) return;
@@ -191,7 +191,7 @@ void WaterEffects::beginRain(double frameTime) {
         std::min(dropsPerVolume(shower_.intensity) * shower_.region.volume(), double(limits_.streaks));
     if (!(number > 0)) return;
     const double massPerTime = shower_.intensity / 3600 * sides.x() * sides.z();
-    // A slanting shower comes down aside of the middle of its region.
+    // Slanting rain reaches the ground beside the middle of its region.
     Eigen::AlignedBox3d below = shower_.region;
     below.translate(fallTime / 2 * shower_.velocity);
     openGround_.rain(shower_.intensity / 3600 * frameTime, below);
@@ -200,13 +200,13 @@ void WaterEffects::beginRain(double frameTime) {
         if (rain_.size() < limits_.streaks) beginDrop(massPerTime * fallTime / number, random(0, frameTime));
 }
 
-// A drop that crosses the region somewhere, unless a roof above keeps it off; it began `age` seconds ago,
-// lest drops fall in ranks.
+// A drop that crosses the region, unless a roof above stops it. It starts `age` seconds earlier, so that
+// drops do not fall in rows.
 void WaterEffects::beginDrop(double mass, double age) {
     const Eigen::Vector3d low = shower_.region.min(), high = shower_.region.max();
     const Eigen::Vector3d& velocity = shower_.velocity;
     const double fallTime = (high.y() - low.y()) / -velocity.y();
-    // Chosen at half height, so that a slanting shower stays over its region.
+    // Chosen at half the height, so that slanting rain stays over its region.
     const Eigen::Vector3d middle(random(low.x(), high.x()), (low.y() + high.y()) / 2,
                                  random(low.z(), high.z()));
     const Eigen::Vector3d start = middle - velocity * (fallTime / 2 - age);
@@ -214,7 +214,7 @@ void WaterEffects::beginDrop(double mass, double age) {
     const double longest = fallTime + farDown / -velocity.y();
     const std::optional<Hit> end = hitBody(start, start + velocity * longest);
     const double left = end ? (end->position - start).norm() / velocity.norm() : fallTime;
-    // Drops differ, as in Marshall and Palmer's law.
+    // Sizes of drops vary by Marshall and Palmer's law.
     const double size = -std::log(1 - random());
     rain_.push_back({start, velocity, left, end ? end->body : nullptr, size * mass});
 }
@@ -261,11 +261,10 @@ void WaterEffects::emit(const Nozzle& nozzle, double frameTime) {
         addPuff(nozzle.position + 0.3 * axis, 0.35 * nozzle.speed * axis, 0.02, 0.05);
 }
 
-// The water that still holds together where it leaves the nozzle: threads that part from each other and end one
-// after the other.
+// Water that still holds together near the nozzle: threads that diverge and end one after the other.
 void WaterEffects::showJet(const Nozzle& nozzle) {
     constexpr int threads = 70;
-    constexpr double breakUp = 0.08, spread = 0.7;  // s; share of the cone
+    constexpr double breakUp = 0.08, spread = 0.7;  // s; fraction of the cone
     const Eigen::Vector3d axis = nozzle.direction.normalized();
     for (int i = 0; i < threads && jets_.size() < jetThreads(limits_); ++i) {
         const double angle = spread * nozzle.halfAngle * random() * random();
@@ -279,7 +278,7 @@ void WaterEffects::showJet(const Nozzle& nozzle) {
     }
 }
 
-// Moves a drop of a spray on. @return whether it has met something, or is out of sight
+// Moves a drop of a spray. @return whether it has hit something, or is out of sight
 bool WaterEffects::sprayEnds(Bead& drop, double time) {
     const Eigen::Vector3d from = drop.position;
     drop.position += time * drop.velocity + 0.5 * time * time * gravityVector;
@@ -302,7 +301,7 @@ void WaterEffects::flySplashes(double frameTime) {
     });
 }
 
-// Puffs slow down to the wind, spread, and thin out.
+// Mist slows down to the wind, spreads and thins out.
 void WaterEffects::drift(double frameTime, const Air& air) {
     constexpr double slowing = 4;  // 1/s
     removeWhere(puffs_, [&](Puff& puff) {
@@ -313,7 +312,7 @@ void WaterEffects::drift(double frameTime, const Air& air) {
     });
 }
 
-// One to four small drops that are gone when they are back at the height where they began.
+// One to four small drops that vanish when they are back at their initial height.
 void WaterEffects::splash(const Eigen::Vector3d& position, double vigour) {
     const int count = 1 + int(random(0, 4));
     for (int i = 0; i < count && splashes_.size() < limits_.drops; ++i) {

@@ -1,4 +1,4 @@
-// Rain, drops and spray as the eye sees them.
+// Rain, drops and spray in pictures.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
@@ -17,48 +17,50 @@
 
 namespace drench::demo {
 
-// How much there may be of everything at one time, and the seed of what is random.
+// Largest numbers of objects at one time, and the seed of the random numbers.
 struct WaterEffectsLimits {
     unsigned seed = 1;
-    std::size_t streaks = 3000;  // drops of rain on their way
-    std::size_t drops = 1200;    // in flight, of splashes and of sprays, each
-    std::size_t puffs = 160;     // of mist
-    std::size_t spots = 2000;    // that are wet, at least 1
+    std::size_t streaks = 3000;  // falling drops of rain
+    std::size_t drops = 1200;    // for each of falling drops, splashes and sprays
+    std::size_t puffs = 160;     // puffs of mist
+    std::size_t spots = 2000;    // wet spots, at least 1
 };
 
-// What water does besides wetting sheets: it falls, splashes, drifts as mist, and wets rigid bodies, where it dries
-// again. Only for the eye: it reads the world and changes nothing in it. The same calls show the same picture.
+// Water outside sheets: it falls, splashes, drifts as mist, and wets rigid bodies, on which it dries again.
+// Only for pictures: it reads the world and changes nothing in it. The same calls give the same picture.
 class WaterEffects {
   public:
     // @param world  must outlive this; its rigid bodies stop water and get wet, its soft bodies only stop it
-    // @throws std::invalid_argument for no room for any wet spot
+    // @throws std::invalid_argument if the limits allow no wet spot
     explicit WaterEffects(const btCollisionWorld& world, const WaterEffectsLimits& limits = {});
 
-    // Lets it rain through a region from now on, as dense as rain of that intensity is (Marshall & Palmer
-    // 1948), as far as the limits allow; what is on its way falls on.
-    // @param intensity  mm/h, at least 0; 0 ends it
+    // Simulates rain through a region from now on, as dense as natural rain of that intensity (Marshall &
+    // Palmer 1948), within the limits; drops that are already falling continue.
+    // @param intensity  mm/h, at least 0; 0 stops the rain
     // @param velocity   of the drops, m/s, downwards
-    // @param region     from where drops begin to be seen down to where none falls on
-    // @throws std::invalid_argument for what is out of range, not finite or upwards, and an empty region
+    // @param region     box in which drops are visible, down to where they end
+    // @throws std::invalid_argument for values that are out of range or not finite, an upward velocity, and
+    //     an empty region
     void rain(double intensity, const Eigen::Vector3d& velocity, const Eigen::AlignedBox3d& region);
-    // Sprays during the next step; call it for each nozzle before each step.
-    // @throws std::invalid_argument for what is out of range or not finite
+    // Sprays during the next step; must be called for each nozzle before each step.
+    // @throws std::invalid_argument for values that are out of range or not finite
     void spray(const Nozzle& nozzle);
-    // Shows drops as they are now, and what landed in their last step; call it after each of their steps.
+    // Shows the present drops, and those that landed in their last step; must be called after each of their
+    // steps.
     void follow(const FallingDrops& drops);
-    // Says where water stands: drops splash on its surface and are not seen below. Replaces what was said
-    // before.
+    // Sets the pools: drops splash on their surface and are not visible below it. Replaces the previous
+    // pools.
     void setPools(std::vector<Eigen::AlignedBox3d> pools) { pools_ = std::move(pools); }
 
-    // Moves everything by one frame; call it after the world's step.
+    // Advances everything by one frame; must be called after the world's step.
     // @param frameTime   s, at least 0
-    // @param air         dries the wet spots, and carries the mist
-    // @param waterSpeed  how much faster than the clock they dry
-    // @throws std::invalid_argument for a frame time or speed that is negative or not finite, and for such air
-    // as `validate` refuses
+    // @param air         dries the wet spots and carries the mist
+    // @param waterSpeed  ratio of water time to simulated time, for drying
+    // @throws std::invalid_argument for a frame time or speed that is negative or not finite, and for air
+    //     that `validate` refuses
     void step(double frameTime, const Air& air, double waterSpeed = 1);
 
-    // Adds all that there is to see.
+    // Adds everything visible to the picture.
     void show(viewer::Picture& picture) const;
 
     const WetSpots& spots() const { return spots_; }
@@ -68,22 +70,22 @@ class WaterEffects {
         double intensity = 0;  // mm/h
         Eigen::Vector3d velocity{0, -6.5, 0};
         Eigen::AlignedBox3d region;
-        double owed = 0;  // drops to begin, a part of one
+        double owed = 0;  // drops still to be started, with a fraction
     };
-    // A drop of rain, and where on a body its way ends.
+    // A drop of rain, and the end of its path on a body.
     struct RainDrop {
         Eigen::Vector3d position;
         Eigen::Vector3d velocity;
         double left;                    // s, until it ends
-        const btCollisionObject* body;  // that it ends on, or none
-        double mass;                    // kg, that it stands for
+        const btCollisionObject* body;  // body on which it ends, or null
+        double mass;                    // kg, mass of rain that it represents
     };
-    // A drop that flies freely.
+    // A drop in free flight.
     struct Bead {
         Eigen::Vector3d position;
         Eigen::Vector3d velocity;
         double radius;  // m
-        double mass;    // kg, that it wets with; 0 in splashes, which wet nothing
+        double mass;    // kg, water that wets what it hits; 0 for splashes
         double left;    // s
     };
     struct Puff {
@@ -91,13 +93,13 @@ class WaterEffects {
         Eigen::Vector3d velocity;
         double age;      // s
         double life;     // s
-        double radius;   // m, at first
-        double density;  // at first
+        double radius;   // initial radius, m
+        double density;  // initial density
     };
-    // Where a way through the air ends.
+    // The end of a path through the air.
     struct Hit {
         Eigen::Vector3d position;
-        const btCollisionObject* body;  // none for a sheet or a pool
+        const btCollisionObject* body;  // null for a sheet or a pool
     };
 
     double random();

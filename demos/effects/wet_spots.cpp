@@ -13,8 +13,8 @@ namespace drench::demo {
 
 namespace {
 
-constexpr double runsTogether = 0.4;  // share of a place's radius within which new water joins it
-constexpr double darkUntil = 0.35;    // of the layer; below it the place fades
+constexpr double runsTogether = 0.4;  // fraction of a spot's radius within which new water joins it
+constexpr double darkUntil = 0.35;    // fraction of the layer below which the spot fades
 
 double discRadius(double area) {
     return std::sqrt(area / pi);
@@ -34,7 +34,8 @@ WetSpots::WetSpots(std::size_t max) : max_(max) {
     if (max < 1) refuse("there is room for ", max, " wet spots; give at least 1");
 }
 
-// The place on a body whose middle is nearest, if that is within so many of its radii or within `reach`, m.
+// The spot on a body whose centre is nearest, if it is within `perRadius` times its radius or within `reach`,
+// m.
 WetSpots::Spot* WetSpots::nearest(const btCollisionObject& body, const Eigen::Vector3d& inBody,
                                   double perRadius, double reach) {
     Spot* found = nullptr;
@@ -54,7 +55,7 @@ void WetSpots::wet(const btCollisionObject& body, const Eigen::Vector3d& positio
                    float outline) {
     if (!(mass > 0)) return;
     const Eigen::Vector3d inBody = toEigen(body.getWorldTransform().invXform(toBullet(position)));
-    // The less room there is for other places, the farther water goes to join one.
+    // The fewer spots are free, the farther away water joins an existing one.
     const double room = 1 - double(spots_.size()) / double(max_);
     const double reach = largestRadius * std::pow(std::clamp(1 - 2 * room, 0.0, 1.0), 2);
     if (Spot* const old = nearest(body, inBody, runsTogether, reach)) {

@@ -1,4 +1,4 @@
-// Wet places on rigid bodies: they grow, run together and dry.
+// Wet spots on rigid bodies: they grow, merge and dry.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
@@ -10,36 +10,35 @@
 
 namespace drench::demo {
 
-// Thin layers of water on bodies, round by and large, that move and turn with what they are on. Only for the
-// eye.
+// Thin, roughly round layers of water on bodies; they move and rotate with the bodies. Only for pictures.
 class WetSpots {
   public:
-    // Water that a body holds before it spreads or runs off, kg/m2: a layer of 0.15 mm (assumed).
+    // Water that a surface holds before it spreads or runs off, kg/m2: a layer of 0.15 mm (assumed).
     static constexpr double layer = 0.15;
-    // Of these, beyond which water runs off.
+    // Number of such layers above which water runs off.
     static constexpr double maxLayers = 2;
-    // m; a place that is this large only gets wetter.
+    // Largest radius, m; a spot of this size only gets wetter.
     static constexpr double largestRadius = 0.15;
 
-    // How wet a place with so much water looks, kg/m2: 0 (dry) to 1 (dark and glossy).
+    // Appearance of a spot with this much water, kg/m2: 0 (dry) to 1 (dark and glossy).
     static double wetnessOf(double massPerArea);
 
-    // @param most  at one time, at least 1; when there are more the driest go
-    // @throws std::invalid_argument for none
+    // @param max  largest number of spots, at least 1; above it the driest are removed
+    // @throws std::invalid_argument for 0
     explicit WetSpots(std::size_t max);
 
-    // Puts water on a body: into a place that is there already, or into a new one.
-    // @param place    in the world, m
+    // Adds water on a body: to an existing spot, or as a new one.
+    // @param place    position in the world, m
     // @param mass     kg; nothing happens unless it is above 0
-    // @param outline  of a new place, 0 to 1; see viewer::WetPatch
+    // @param outline  of a new spot, 0 to 1; see viewer::WetPatch
     void wet(const btCollisionObject& body, const Eigen::Vector3d& position, double mass, float outline);
-    // Takes so much water from all of them, kg/m2; those without any are gone.
+    // Removes this much water from all spots, kg/m2; dry spots are removed.
     void dry(double massPerArea);
-    // Forgets the places on bodies that have left the world.
+    // Removes the spots on bodies that have left the world.
     void keepOnlyIn(const btCollisionWorld& world);
 
     std::size_t size() const { return spots_.size(); }
-    double mass() const;  // kg, of all
+    double mass() const;  // total, kg
     void show(viewer::Picture& picture) const;
 
   private:

@@ -11,9 +11,9 @@ namespace {
 constexpr double holdReach = 0.05;     // m, around the point that was picked
 constexpr double fastest = 6;          // m/s, of the hand
 constexpr double fastestReleased = 3;  // m/s
-constexpr double maxStrain = 0.2;      // of links that leave the hold
+constexpr double maxStrain = 0.2;      // of the links at the border of the held part
 constexpr double clearance = 0.015;    // m, from solids
-constexpr double followingFrames = 2;  // in which the hand would reach a pointer that stands still
+constexpr double followingFrames = 2;  // number of frames in which the hand reaches a resting pointer
 
 btVector3 limited(const btVector3& v, double max) {
     const double length = double(v.length());
@@ -96,7 +96,7 @@ void Grasp::follow(const Pointer& pointer, double frameTime) {
     btVector3 velocity = limited(offset / btScalar(followingFrames * frameTime), fastest);
     const Pull by = pull();
     const double slack = (maxStrain - by.strain) * by.length / frameTime;
-    // No faster than the cloth around follows and can still be stretched.
+    // No faster than the cloth around can follow, and less if that cloth is already stretched.
     velocity = by.following + limited(velocity - by.following, maxStrain * by.length / frameTime);
     const btScalar away = -velocity.dot(by.towards);
     if (double(away) > slack) velocity += by.towards * btScalar(double(away) - slack);

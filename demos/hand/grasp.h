@@ -1,4 +1,4 @@
-// A hold on a piece of cloth.
+// Holds a part of a sheet for the mouse.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,20 @@
 
 namespace drench::demo {
 
-// Holds the nodes around a point of a sheet and takes them along with the pointer, in the plane through that
-// point that faces the camera. Held nodes are pins meanwhile, so that it is alike with any solver. The hand
-// follows at 6 m/s at most, stops at solids, and gives way when the links around it are strained by a
-// fifth, so it cannot tear cloth off its pegs or blow it up, wherever the mouse jumps.
+// Holds the nodes around a point of a sheet and moves them with the pointer, in the plane through that point
+// that faces the camera. Held nodes are pinned, so that the effect is the same with every solver. The hand
+// follows at up to 6 m/s, stops at solids, and yields when the links around it are stretched by a fifth. So
+// it cannot tear cloth off its pegs or make it unstable, wherever the mouse jumps.
 class Grasp {
   public:
-    // Takes hold. Nodes that are pinned already stay where they are.
+    // Starts to hold. Nodes that are already pinned stay where they are.
     Grasp(const ClothHit& hit, const Pointer& pointer);
 
-    // Whether the sheet is still one of these; if not, the hold is lost, and there is nothing to let go.
+    // Whether the sheet still exists among these; if not, there is nothing left to release.
     bool holdsOneOf(const std::vector<Graspable>& sheets) const;
-    // Sets the velocity of what is held for the frame that comes, s.
+    // Sets the velocity of the held nodes for the next frame, s.
     void follow(const Pointer& pointer, double frameTime);
-    // Lets go; what was held keeps its velocity, up to 3 m/s.
+    // Releases the nodes; they keep their velocity, up to 3 m/s.
     void release();
 
   private:
@@ -30,11 +30,11 @@ class Grasp {
         btVector3 offset;  // from the middle of the hold, m
         btScalar inverseMass;
     };
-    // How the links that leave the hold pull at it.
+    // The state of the links at the border of the held part.
     struct Pull {
         btVector3 following = btVector3(0, 0, 0);  // mean velocity of their far ends, m/s
-        double strain = 0;                         // of the most strained one
-        double length = 0;                         // of one at rest, m
+        double strain = 0;                         // of the most stretched link
+        double length = 0;                         // mean rest length, m
         btVector3 towards = btVector3(0, 0, 0);    // unit length, or zero
     };
 
@@ -44,7 +44,7 @@ class Grasp {
     bool isHeld(const btSoftBody::Node* node) const;
 
     Graspable sheet_;
-    int nodes_;  // of the body, by which to know it again
+    int nodes_;  // number of nodes of the body, to recognise it
     std::vector<Held> held_;
     std::vector<char> isHeld_;  // of each node
     btVector3 centre_;          // m

@@ -34,7 +34,7 @@ std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const vie
                              double(*distance)};
         }
     if (!first) return std::nullopt;
-    constexpr double onSolid = 0.02;  // m, as cloth lies on what is behind it
+    constexpr double onSolid = 0.02;  // m, tolerance for cloth that lies on a solid
     const btVector3 from = toBullet(ray.origin.cast<double>()),
                     direction = toBullet(ray.direction.cast<double>());
     const double max = first->distance - onSolid;

@@ -1,4 +1,4 @@
-// Sheets as the mouse tools meet them.
+// Sheets that the mouse tools can act on.
 #pragma once
 
 #include <drench/drench.h>
@@ -12,7 +12,7 @@
 
 namespace drench::demo {
 
-// A sheet that is there during this frame.
+// A sheet that exists during this frame.
 struct Graspable {
     SceneWorld* world;
     btSoftBody* body;
@@ -22,7 +22,7 @@ struct Graspable {
 // All sheets of a scene.
 std::vector<Graspable> graspables(Scene& scene);
 
-// Where a ray meets cloth.
+// The point where a ray hits cloth.
 struct ClothHit {
     Graspable sheet;
     int face;         // of the body
@@ -30,12 +30,12 @@ struct ClothHit {
     double distance;  // from the ray's origin, m
 };
 
-// The first sheet that a ray meets, unless something solid is before it.
+// The first sheet that a ray hits, unless a solid is in front of it.
 std::optional<ClothHit> firstHit(const std::vector<Graspable>& sheets, const viewer::Ray& ray);
 
 // The first solid between two points, m.
 struct SolidHit {
-    double fraction;   // of the way, 0 to 1
+    double fraction;   // of the distance, 0 to 1
     btVector3 normal;  // of its surface, unit length
 };
 std::optional<SolidHit> firstSolid(SceneWorld& world, const btVector3& from, const btVector3& to);

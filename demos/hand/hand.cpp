@@ -7,10 +7,10 @@ namespace drench::demo {
 
 namespace {
 
-constexpr double nozzleDistance = 1.2;  // m, from what the hose is held at
-constexpr double farthestAim = 8;       // m, from the eye, where it is held at nothing
+constexpr double nozzleDistance = 1.2;  // m, from the point at which the hose is aimed
+constexpr double farthestAim = 8;       // m from the eye, if it is aimed at nothing
 
-// Beside and below the line of sight, so that the water is seen from the side.
+// Beside and below the line of sight, so that the water is visible from the side.
 Nozzle nozzleFor(const Pointer& pointer, double aimDistance) {
     const Eigen::Vector3d sight = pointer.ray.direction.cast<double>();
     const Eigen::Vector3d eye = pointer.ray.origin.cast<double>();
@@ -58,7 +58,7 @@ void Hand::spray(const std::vector<Graspable>& sheets, const Pointer& pointer, d
     hose_.spray(sheets, *nozzle_, frameTime);
 }
 
-// What flies out of it is the stage's to show.
+// The stage draws the water in flight.
 void Hand::show(viewer::Picture& picture) const {
     if (!nozzle_) return;
     const Eigen::Vector3d along = nozzle_->direction.normalized();

@@ -1,4 +1,4 @@
-// The user's hand in a scene: what the mouse does to cloth.
+// The mouse tools of a scene: drag, hose and towel.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,18 @@
 
 namespace drench::demo {
 
-// Drags cloth, sprays water at it, or dabs it dry, frame by frame. It does nothing to a scene while the
-// button is up.
+// Drags cloth, sprays water on it, or dabs it dry, frame by frame. While the button is up it changes nothing
+// in the scene.
 class Hand {
   public:
-    // Does what the pointer says in the frame that comes, s.
-    // @param sheets  all there are now; those of earlier frames may be gone
+    // Applies the pointer to the next frame, s.
+    // @param sheets  all sheets that exist now; those of earlier frames may have been destroyed
     void act(const std::vector<Graspable>& sheets, const Pointer& pointer, double frameTime);
 
-    // Lets go of what it holds, until the button is pressed again.
+    // Releases what it holds, until the button is pressed again.
     void letGo();
 
-    // What sprays water in this frame; none while the hose is off.
+    // The nozzle that sprays in this frame; none while the hose is off.
     const std::optional<Nozzle>& nozzle() const { return nozzle_; }
     // Adds the hose to a picture, while it is on.
     void show(viewer::Picture& picture) const;
@@ -32,13 +32,14 @@ class Hand {
     void spray(const std::vector<Graspable>& sheets, const Pointer& pointer, double frameTime);
 
     std::optional<Grasp> grasp_;
-    bool pressed_ = false;  // in the frame before
+    bool pressed_ = false;  // in the previous frame
     Hose hose_;
     std::optional<Nozzle> nozzle_;
 };
 
-// Takes water off a sheet within 6 cm of a point for `time` s, as an absorbent towel does: film within a
-// tenth of a second or so, pore water in half a second. The water is returned in an account named "towel".
+// Removes water from a sheet within 6 cm of a point for `time` s, as an absorbent towel does: film with a
+// time constant of about a tenth of a second, pore water of half a second. The water is recorded as returned
+// in an account named "towel".
 void dabDry(WetCloth& cloth, const btSoftBody& body, const btVector3& point, double time);
 
 }  // namespace drench::demo

@@ -4,7 +4,7 @@
 
 namespace drench::demo {
 
-// What one sheet is to get.
+// The water for one sheet.
 struct Hose::Stream {
     explicit Stream(WetCloth& itsCloth)
         : cloth(&itsCloth),
@@ -12,12 +12,12 @@ struct Hose::Stream {
           spray(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), 0) {}
 
     const WetCloth* cloth;
-    Supply* account;  // in the sheet's own time
+    Supply* account;  // in the sheet's water time
     Spray spray;
-    double due = 0;  // s for which it has yet to spray
+    double due = 0;  // s of spraying still to do
 };
 
-// Meets the sheet as it is at the start of a step, which none but a source does.
+// Runs as a source, because only a source gets the state of the sheet at the start of a step.
 class Hose::StreamSource final : public Source {
   public:
     explicit StreamSource(std::shared_ptr<Stream> stream) : stream_(std::move(stream)) {}

@@ -1,4 +1,4 @@
-// A hose in the user's hand.
+// A hose that the user aims with the mouse.
 #pragma once
 
 #include <drench/drench.h>
@@ -11,10 +11,10 @@
 
 namespace drench::demo {
 
-// Sprays water at sheets, in the sheets' own time however fast their water runs, in an account named "hose".
+// Sprays water on sheets, in the sheets' own time at any water speed, in an account named "hose".
 class Hose {
   public:
-    // Sprays at all of these sheets in the next frame of so many seconds.
+    // Sprays on all of these sheets in the next frame, of `frameTime` seconds.
     void spray(const std::vector<Graspable>& sheets, const Nozzle& nozzle, double frameTime);
 
   private:
@@ -23,7 +23,7 @@ class Hose {
 
     Stream& streamTo(WetCloth& cloth);
 
-    std::vector<std::weak_ptr<Stream>> streams_;  // end with their sheets
+    std::vector<std::weak_ptr<Stream>> streams_;  // destroyed with their sheets
 };
 
 }  // namespace drench::demo

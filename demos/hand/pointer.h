@@ -1,4 +1,4 @@
-// What the user's mouse does to a scene.
+// State of the mouse over a scene.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,10 +7,10 @@
 
 namespace drench::demo {
 
-// What the left button does to cloth.
+// Action of the left button on cloth.
 enum class Tool {
-    hand,  // holds it and drags it along
-    hose,  // sprays water at it
+    hand,  // drags it
+    hose,  // sprays water on it
     towel  // dabs it dry
 };
 
@@ -20,7 +20,7 @@ struct Pointer {
     Tool tool = Tool::hand;
     bool onTwin = false;                                  // over the dry twin of the scene
     viewer::Ray ray;                                      // from the eye through the pointer, m
-    Eigen::Vector3f forward = -Eigen::Vector3f::UnitZ();  // of the camera, unit length
+    Eigen::Vector3f forward = -Eigen::Vector3f::UnitZ();  // direction of view, unit length
 };
 
 }  // namespace drench::demo

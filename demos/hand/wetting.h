@@ -1,4 +1,4 @@
-// Water that is put into cloth, or taken out of it, at a stroke.
+// Adds water to cloth, or removes it, all at once.
 #pragma once
 
 #include <drench/drench.h>
@@ -9,14 +9,14 @@
 
 namespace drench::demo {
 
-// Gives the pores of each node so much of what they hold, 0 to 1, and wipes off the film; the difference is
-// in an account named "by hand".
+// Sets the saturation of each node, 0 to 1, and removes the film; the difference is recorded in an account
+// named "by hand".
 void wetTo(WetCloth& cloth, double saturation);
 
-// The cloths of a scene that water may be brought to.
+// The sheets of a scene that can be wetted.
 std::vector<WetCloth*> wettable(Scene& scene);
 
-// The same for all of these in a scene.
+// The same for all of these sheets.
 void wetTo(Scene& scene, double saturation);
 
 }  // namespace drench::demo

@@ -1,15 +1,15 @@
-// How fast and how far something goes to and fro.
+// Frequency and amplitude of an oscillation.
 #pragma once
 
 #include <deque>
 
 namespace drench::demo {
 
-// The last seconds of a quantity that was noted at equal intervals.
+// The last seconds of a quantity that is recorded at equal intervals.
 class Flutter {
   public:
-    // @param interval  between two notes, s
-    // @param window    how far back it remembers, s
+    // @param interval  between two values, s
+    // @param window    duration that is kept, s
     Flutter(double interval, double window);
 
     void note(double value);
@@ -17,8 +17,9 @@ class Flutter {
     double mean() const;
     // Root mean square about the mean.
     double amplitude() const;
-    // How often it passes its mean upwards, 1/s: the root mean square of its rate over that of itself, over
-    // 2 pi (Rice 1944). Counting the passes of a few seconds of flapping would scatter twice as much.
+    // Frequency of upward crossings of the mean, 1/s: the root mean square of the rate of change over that of
+    // the value, over 2 pi (Rice 1944). Counting crossings in a few seconds of flapping would have twice the
+    // scatter.
     double frequency() const;
 
   private:

@@ -48,7 +48,7 @@ void Silhouette::cover(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const
     const auto lastTo = [&](double value) { return int(std::floor(std::clamp(value - 0.5, -1., last))); };
     for (int y = firstFrom(std::min({a.y(), b.y(), c.y()})); y <= lastTo(std::max({a.y(), b.y(), c.y()}));
          ++y) {
-        double from = pixels_, to = 0;  // where the row's middle line enters and leaves the triangle
+        double from = pixels_, to = 0;  // where the centre line of the row enters and leaves the triangle
         const auto cross = [&](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
             const double height = y + 0.5;
             if ((p.y() <= height) == (q.y() <= height)) return;
@@ -93,12 +93,13 @@ viewer::Image Silhouette::image(const std::vector<double>& circles) const {
 }
 
 int countLobes(const std::vector<double>& radii, double prominence) {
-    // From the lowest point once round: a lobe has been climbed by the prominence, and is then left by it.
+    // Goes around once from the lowest point. A lobe starts where the radius has risen by the prominence, and
+    // ends where it has fallen by it.
     const std::size_t count = radii.size();
     const auto lowest = std::size_t(std::min_element(radii.begin(), radii.end()) - radii.begin());
     int lobes = 0;
     bool climbing = true;
-    double extreme = radii[lowest];  // the lowest since the last lobe, or the highest of this one
+    double extreme = radii[lowest];  // minimum since the last lobe, or maximum of this one
     for (std::size_t i = 1; i <= count; ++i) {
         const double radius = radii[(lowest + i) % count];
         if (climbing) {

@@ -1,4 +1,4 @@
-// What a sheet covers, seen from straight above.
+// The silhouette of a sheet, seen vertically from above.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -10,16 +10,16 @@
 
 namespace drench::demo {
 
-// The shadow of a sheet on level ground, on a square of pixels.
+// The vertical projection of a sheet onto the ground, on a square of pixels.
 class Silhouette {
   public:
     // @param centre  of the square, m (x and z)
-    // @param reach   half the square's side, m
+    // @param reach   half the edge of the square, m
     Silhouette(const btSoftBody& sheet, const Eigen::Vector2d& centre, double reach, int pixels);
 
     double area() const;  // m2
 
-    // How far the shadow reaches from the centre, m, in so many directions, the first along x.
+    // Radii of the silhouette from the centre, m, in `directions` directions, the first along x.
     std::vector<double> radii(int directions) const;
 
     // Black on white, with circles around the centre, m.
@@ -27,7 +27,7 @@ class Silhouette {
 
   private:
     void cover(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
-    // In pixels from the square's corner.
+    // In pixels from the corner of the square.
     Eigen::Vector2d projected(const btVector3& position) const;
     double pixelSize() const { return 2 * reach_ / pixels_; }
 
@@ -37,10 +37,10 @@ class Silhouette {
     std::vector<unsigned char> covered_;
 };
 
-// Number of maxima of a closed curve that stand at least so far above the minima on both sides.
+// Number of maxima of a closed curve that are at least `prominence` above the minima on both sides.
 int countLobes(const std::vector<double>& radii, double prominence);
 
-// How many waves a closed curve has mostly, 1 to `most`: the order of its largest Fourier component.
+// Dominant number of waves of a closed curve, 1 to `max`: the order of its largest Fourier component.
 int dominantOrder(const std::vector<double>& radii, int max);
 
 }  // namespace drench::demo

@@ -1,4 +1,4 @@
-// Rows of numbers under named columns, for people and for files.
+// Tables of numbers with named columns, as text and CSV.
 #pragma once
 
 #include <filesystem>
@@ -8,23 +8,23 @@
 
 namespace drench::demo {
 
-// A column: its name and how many digits after the point people see.
+// A column: its name, and the number of decimals in text.
 struct Column {
     std::string name;
     int digits;
 };
 
-// Numbers by row; NaN means "not measured".
+// Rows of numbers; NaN means "not measured".
 struct Table {
     std::vector<Column> columns;
     std::vector<std::vector<double>> rows;
 };
 
-// Writes aligned columns; what was not measured is a dash.
+// Writes aligned columns; values that were not measured are dashes.
 void print(std::ostream& out, const Table& table);
 
-// Writes a CSV file with a header line and full digits; what was not measured is empty. Otherwise as
-// `files::writeWhole`.
+// Writes a CSV file with a header line and full precision; values that were not measured are empty. Otherwise
+// as `files::writeWhole`.
 void writeCsv(const std::filesystem::path& path, const Table& table);
 
 }  // namespace drench::demo

@@ -1,4 +1,4 @@
-// A run without a window taken elsewhere: as a film, as animated glTF, or as a sequence of OBJ or CSV files.
+// Records a run without a window: as a video, as animated glTF, or as a sequence of OBJ or CSV files.
 #pragma once
 
 #include <drench/files/animation.h>
@@ -14,32 +14,32 @@
 
 namespace drench::demo {
 
-// Keeps frames of a run. Should one not fit or a file not be written, it says so on stderr and takes no more, and the
-// run goes on.
+// Records frames of a run. If a frame does not fit or a file cannot be written, it reports that on stderr and
+// records no more; the run continues.
 class FrameKeeper {
   public:
     virtual ~FrameKeeper() = default;
     FrameKeeper(const FrameKeeper&) = delete;
     FrameKeeper& operator=(const FrameKeeper&) = delete;
 
-    // Takes in a simulated frame.
+    // Handles a simulated frame.
     void add(Scene& scene);
-    // Writes what is not yet written. @return whether all is there
+    // Writes what has not been written yet. @return whether everything has been written
     bool finish();
 
   protected:
-    // @param every  of the simulated frames, 1/60 s each, are kept
+    // @param every  number of simulated frames, 1/60 s each, per recorded frame
     explicit FrameKeeper(int every) : every_(every) {}
 
     int every() const { return every_; }
-    int frames() const { return frames_; }   // taken in so far
+    int frames() const { return frames_; }   // handled so far
     bool isWhole() const { return whole_; }  // so far
 
   private:
-    // Whether this frame is one of those to keep.
+    // Whether this frame must be recorded.
     virtual bool isDue() const { return frames_ % every_ == 0; }
     virtual void keep(Scene& scene) = 0;
-    // Writes what is there, after the last frame.
+    // Writes the recording after the last frame.
     virtual void complete() = 0;
     template <typename Work>
     void attempt(Work work);
@@ -49,17 +49,17 @@ class FrameKeeper {
     bool whole_ = true;
 };
 
-// The kinds of file there are, by their endings: ".glb", ".obj" and ".csv".
+// The supported file extensions: ".glb", ".obj" and ".csv".
 const std::vector<std::string>& exportEndings();
 
-// All sheets of a scene as they are now. Sheets of a name get a number each.
-// @throws std::invalid_argument for one that is not finite
+// All sheets of a scene in their present state. Sheets with equal names are numbered.
+// @throws std::invalid_argument for a sheet that is not finite
 std::vector<ClothFrame> framesOf(Scene& scene);
 
-// Keeps the sheets.
+// Exports the sheets.
 class Exporter final : public FrameKeeper {
   public:
-    // @param file  its ending says what becomes of the run
+    // @param file  its extension determines the format
     Exporter(std::filesystem::path file, int every) : FrameKeeper(every), file_(std::move(file)) {}
 
   private:
@@ -70,14 +70,14 @@ class Exporter final : public FrameKeeper {
     Animation animation_;
 };
 
-// Draws frames off screen and records them; shows so many of them that the film runs in time.
+// Renders frames off screen and records a video, with the frame rate that shows simulated time in real time.
 class Film final : public FrameKeeper {
   public:
     // @throws std::runtime_error as Recorder
     Film(const std::filesystem::path& file, int every, View view);
 
   private:
-    // From the first one on.
+    // Starts with the first frame.
     bool isDue() const override { return (frames() - 1) % every() == 0; }
     void keep(Scene& scene) override;
     void complete() override;

@@ -1,24 +1,24 @@
-// When frames are due, and how many there were lately.
+// Schedules frames in wall time, and measures the frame rate.
 #pragma once
 
 #include <chrono>
 
 namespace drench::demo {
 
-// Frames at an even pace of wall time. One that comes late is not made up for, so that nothing rushes after a
+// Frames at regular intervals of wall time. Delays are not caught up, so that nothing runs too fast after a
 // pause.
 class FrameClock {
   public:
     using Clock = std::chrono::steady_clock;
 
-    // @param start  from when on the first frame may begin
+    // @param start  earliest time of the first frame
     explicit FrameClock(Clock::time_point start) : due_(start), countedFrom_(start) {}
 
-    // The moment from which the next frame may begin.
+    // Earliest time of the next frame.
     Clock::time_point due() const { return due_; }
-    // Notes that a frame begins. @param interval  s until the next is due; 0: at once
+    // Registers the start of a frame. @param interval  s until the next one is due; 0: at once
     void begin(Clock::time_point now, double interval);
-    // Frames a second over the last half second or so; 0 before.
+    // Frames per second over about the last half second; 0 before.
     double rate() const { return rate_; }
 
   private:

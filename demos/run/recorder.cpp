@@ -28,7 +28,7 @@ namespace drench::demo {
 
 #ifdef _WIN32
 
-// Here ffmpeg is not started.
+// On this system ffmpeg is not started.
 class Recorder::Process {
   public:
     explicit Process(const std::vector<std::string>&) {
@@ -42,7 +42,7 @@ class Recorder::Process {
 
 #else
 
-// A program with a pipe to its stdin. It is started without a shell, so arguments may hold anything.
+// A program with a pipe to its stdin. It is started without a shell, so arguments may contain any characters.
 class Recorder::Process {
   public:
     explicit Process(const std::vector<std::string>& command) {
@@ -64,7 +64,7 @@ class Recorder::Process {
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    // @return whether the program has taken all of it
+    // @return whether the program has read all of it
     bool write(const std::uint8_t* data, std::size_t size) {
         const SilentPipe silent;
         while (size > 0) {
@@ -77,7 +77,7 @@ class Recorder::Process {
         return true;
     }
 
-    // Tells the program that nothing more comes, and waits. @return its exit status; 128 or more after a signal
+    // Closes the pipe, and waits for the program. @return its exit status; 128 or more after a signal
     int end() {
         if (child_ <= 0) return status_;
         closePipe();
@@ -89,8 +89,7 @@ class Recorder::Process {
         return status_;
     }
 
-    // Tells the program that nothing more comes, and ends it by force should it take longer than so many
-    // seconds.
+    // Closes the pipe, and kills the program if it takes longer than the given time, s.
     void waitAtMost(double seconds) {
         closePipe();
         const auto start = std::chrono::steady_clock::now();
@@ -103,7 +102,8 @@ class Recorder::Process {
     }
 
   private:
-    // While it lives, a pipe that nobody reads is an error of this thread's writes and ends no program.
+    // While this object exists, writing to a pipe without a reader is an error of the write, not a signal
+    // that ends the program.
     class SilentPipe {
       public:
         SilentPipe() {
@@ -128,7 +128,7 @@ class Recorder::Process {
 
     static std::string nameOf(int problem) { return std::generic_category().message(problem); }
 
-    // @return 0, or what went wrong as errno has it
+    // @return 0, or an errno value
     int start(const std::vector<std::string>& command, int input) {
         std::vector<char*> arguments;
         arguments.reserve(command.size() + 1);
@@ -157,13 +157,13 @@ class Recorder::Process {
 
 namespace {
 
-// Pictures come in on stdin; sound there is none.
+// Pictures are read from stdin; there is no sound.
 std::vector<std::string> commandFor(const std::filesystem::path& file, int width, int height,
                                     double framesPerSecond) {
     return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb24",
             "-video_size", std::to_string(width) + "x" + std::to_string(height), "-framerate",
             std::to_string(framesPerSecond), "-i", "pipe:0", "-pix_fmt", "yuv420p",
-            // Whatever the name looks like, it is a file's.
+            // The name is a file, whatever it looks like.
             "file:" + file.string()};
 }
 
@@ -203,7 +203,7 @@ void Recorder::check(const std::filesystem::path& file) {
     bool whole = true;
     Recorder recorder(trial, width, height, 60);
     try {
-        constexpr int pictures = 3;  // a single one also fits into a file that is no film
+        constexpr int pictures = 3;  // a single picture also fits into a file that is not a video
         for (int i = 0; i < pictures; ++i)
             recorder.add({width, height, std::vector<std::uint8_t>(std::size_t(3) * width * height)});
         recorder.ffmpeg_->waitAtMost(patience);

@@ -1,4 +1,4 @@
-// Films, made by ffmpeg.
+// Records videos with ffmpeg.
 #pragma once
 
 #include <filesystem>
@@ -8,28 +8,28 @@
 
 namespace drench::demo {
 
-// Hands pictures to an ffmpeg that runs beside, which makes a film of them.
+// Passes pictures to an ffmpeg process, which encodes the video.
 class Recorder {
   public:
     // Starts ffmpeg. An existing file is replaced.
-    // @param file  its ending says what kind of film: .mp4, .webm, .gif ...
+    // @param file  its extension determines the format: .mp4, .webm, .gif ...
     // @param framesPerSecond  above 0
-    // @throws std::runtime_error that says what to install, where there is no ffmpeg, or that names a file which cannot
+    // @throws std::runtime_error that says what to install if ffmpeg is missing, or names a file that cannot
     //     be written
     Recorder(const std::filesystem::path& file, int width, int height, double framesPerSecond);
-    // Ends the film, if `finish` has not.
+    // Finishes the video, unless `finish` has done so.
     ~Recorder();
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    // Adds a picture, waiting until ffmpeg takes it.
-    // @throws std::invalid_argument for a picture of another size; std::runtime_error once ffmpeg has ended
+    // Adds a picture; waits until ffmpeg has read it.
+    // @throws std::invalid_argument for a picture of another size; std::runtime_error if ffmpeg has exited
     void add(const viewer::Image& image);
-    // Ends the film and waits until it is whole. @throws std::runtime_error if ffmpeg fails
+    // Finishes the video and waits until it is complete. @throws std::runtime_error if ffmpeg fails
     void finish();
 
-    // Makes a film of one black picture beside the file, and removes it.
-    // @throws std::runtime_error as the constructor, and where ffmpeg cannot make a film of that kind
+    // Records a video of one black picture beside the file, and removes it.
+    // @throws std::runtime_error as the constructor, and if ffmpeg does not support the format
     static void check(const std::filesystem::path& file);
 
   private:

@@ -29,17 +29,18 @@ namespace drench::demo {
 
 namespace {
 
-constexpr int sideWidth = 480, sideHeight = 600;  // of pictures side by side
+constexpr int sideWidth = 480, sideHeight = 600;  // size of pictures side by side
 
-// Draws and keeps the pictures of a run. One that cannot be written is missed and said on stderr; the run goes on.
+// Renders and writes the pictures of a run. If one cannot be written, that is reported on stderr, and the run
+// continues.
 class Album {
   public:
     explicit Album(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    // Draws a picture and writes it under `name`.
-    // @return the time that drawing took, s
+    // Renders a picture and writes it under `name`.
+    // @return rendering time, s
     double add(const viewer::Picture& picture, const std::string& name) {
-        context_.makeCurrent();  // a film has another
+        context_.makeCurrent();  // a video has its own context
         if (images_.empty())
             renderer_.capture(picture, pictureWidth, pictureHeight);  // the first one compiles shaders
         const auto before = std::chrono::steady_clock::now();
@@ -60,15 +61,15 @@ class Album {
         write(scene.sideBySideName(), viewer::contactSheet(row, int(row.size()), gap));
     }
 
-    // All moments side by side.
+    // The pictures of all moments side by side.
     void writeContactSheet() {
         if (images_.size() < 2) return;
-        const int columns = images_.size() % 3 == 0 ? 3 : 4;  // as full as it can be
+        const int columns = images_.size() % 3 == 0 ? 3 : 4;  // fills the last row as far as possible
         constexpr int gap = 4;
         write("contact-sheet", viewer::contactSheet(images_, columns, gap));
     }
 
-    // Images that the scene makes itself.
+    // Images that the scene itself makes.
     void addDrawings(const Scene& scene) {
         for (const Drawing& drawing : scene.drawings()) write(drawing.name, drawing.image);
     }
@@ -100,7 +101,8 @@ bool stderrIsTerminal() {
 #endif
 }
 
-// One line on stderr that says how far a run is; rewritten in place on a terminal, else a line every tenth.
+// The progress of a run, one line on stderr: rewritten in place on a terminal, otherwise a line at every
+// tenth.
 class ProgressLine {
   public:
     void show(const Scene& scene) {
@@ -127,7 +129,7 @@ std::filesystem::path besideFor(const std::filesystem::path& csv) {
     return beside;
 }
 
-// Says whether the scene's check has passed. @return the exit status
+// Prints whether the scene's check has passed. @return the exit status
 int judge(const Scene& scene, const RunOptions& options) {
     if (!options.sceneOptions.water) {
         std::cout << "\nnot checked: a dry run has no result of its own\n";
@@ -165,7 +167,7 @@ void writeScene(const RunOptions& options, Scene& scene) {
 }
 
 int runHeadless(Scene& scene, const RunOptions& options) {
-    if (!options.saved.empty()) describedNow(scene);  // before the work, not after it
+    if (!options.saved.empty()) describedNow(scene);  // before the run rather than after it
     std::unique_ptr<Album> album;
     if (!options.frames.empty()) album = std::make_unique<Album>(options.frames);
     std::vector<std::unique_ptr<FrameKeeper>> keepers;

@@ -35,7 +35,7 @@ CLI::Validator inRange(double min, double max) {
         "FLOAT, " + range);
 }
 
-// An empty name is most likely a variable that is not set.
+// An empty name most likely comes from a shell variable that is not set.
 CLI::Validator namesSomething() {
     return CLI::Validator(
         [](const std::string& text) {
@@ -44,7 +44,7 @@ CLI::Validator namesSomething() {
         "NAME");
 }
 
-// A file whose ending says what it is to be.
+// A file name whose extension determines the format.
 CLI::Validator endsLike(const std::vector<std::string>& endings) {
     std::string all;
     for (const std::string& ending : endings) all += (all.empty() ? "" : " or ") + ending;
@@ -84,7 +84,7 @@ View viewOf(const std::string& name) {
     return name == "strain" ? View::strain : View::beauty;
 }
 
-// What the names of --solver and --world mean together; where there are none, the options stay as they are.
+// Sets the options from the names given with --solver and --world; an empty name leaves its option unchanged.
 void choose(SceneOptions& options, const std::string& solver, const std::string& world) {
     if (!world.empty()) options.world = world == "deformable" ? WorldKind::deformable : WorldKind::softRigid;
     if (!solver.empty()) options.solver = solver == "stock" ? SolverKind::stock : SolverKind::smallStep;
@@ -94,13 +94,13 @@ void choose(SceneOptions& options, const std::string& solver, const std::string&
                                    "out, or take --world soft-rigid");
 }
 
-// The options that a scene has a choice of its own for.
+// Options for which a scene has its own default.
 struct OwnChoices {
     const CLI::Option* fabric;
     const CLI::Option* seed;
 };
 
-// Fills in what the scene has of its own, where nothing else was asked for.
+// Fills in the defaults of the scene for options that were not given.
 void takeFromScene(RunOptions& run, const std::string& file, const OwnChoices& own) {
     SceneOptions& options = run.sceneOptions;
     if (file.empty()) {
@@ -115,33 +115,33 @@ void takeFromScene(RunOptions& run, const std::string& file, const OwnChoices& o
     if (own.seed->empty()) options.seed = run.described->seed;
 }
 
-// What the command line says in words of its own, from which options follow.
+// Values of the command line from which options are derived.
 struct Words {
     std::string file, solver, world;
     std::string view = "beauty";
     bool list = false, dry = false;
 };
 
-// Which scene, and what it is like.
+// Options that choose the scene and its settings.
 OwnChoices addSceneOptions(CLI::App& app, RunOptions& run, Words& words) {
-    CLI::Option* const scene = app.add_option("SCENE", run.scene, "which scene to run; --list names them")
+    CLI::Option* const scene = app.add_option("SCENE", run.scene, "scene to run; --list lists all")
                                    ->check(CLI::IsMember(sceneNames()));
     app.add_option("--scene-file", words.file, "run the scene of this JSON file; see docs/scene-files.md")
         ->check(namesSomething())
         ->excludes(scene);
     app.add_flag("--list", words.list, "list the scenes and stop");
     app.add_option("--seconds", run.sceneOptions.seconds,
-                   "simulated seconds after which to end [the scene's own]")
+                   "simulated seconds after which the run ends [chosen by the scene]")
         ->check(inRange(0.02, 86400));
-    app.add_option("--resolution", run.sceneOptions.resolution, "nodes along the warp [the scene's own]")
+    app.add_option("--resolution", run.sceneOptions.resolution, "nodes along the warp [chosen by the scene]")
         ->check(CLI::Range(8, 512));
     const CLI::Option* const fabric =
         app.add_option("--fabric", run.sceneOptions.fabric,
-                       "the cloth [cotton; slide: polyester; as in a scene file]: " + fabricNames() +
-                           "or a fabric file; see docs/files.md")
+                       "fabric of the sheets [cotton; slide: polyester; scene file: its fabrics]: " +
+                           fabricNames() + "or a fabric file; see docs/files.md")
             ->check(namesFabric());
     app.add_option("--solver", words.solver,
-                   "what moves the sheets: Drench's small steps, or stock Bullet's solver in many substeps "
+                   "solver of the sheets: Drench's SmallStepSolver, or stock Bullet's in many substeps "
                    "[small-step]")
         ->check(CLI::IsMember({"small-step", "stock"}));
     app.add_option("--world", words.world,
@@ -150,31 +150,31 @@ OwnChoices addSceneOptions(CLI::App& app, RunOptions& run, Words& words) {
     const CLI::Option* const seed = app.add_option("--seed", run.sceneOptions.seed,
                                                    "seed of the random numbers [1; that of a scene file]")
                                         ->check(CLI::Range(0, 0x7fffffff));
-    app.add_flag("--dry", words.dry, "the same scene with nothing that brings water, and without its check");
+    app.add_flag("--dry", words.dry, "run the scene without water, and without its check");
     return {fabric, seed};
 }
 
-// What is written, and what pictures show.
+// Options for files that are written, and for what pictures show.
 void addOutputOptions(CLI::App& app, RunOptions& run, Words& words) {
-    app.add_option("--save-scene", run.saved, "write the scene as it is at the end to this scene file")
+    app.add_option("--save-scene", run.saved, "write the state of the scene at the end to this scene file")
         ->check(namesSomething());
     app.add_option("--csv", run.csv,
-                   "write the water of each frame to this file, or the scene's result where it has one, and "
-                   "the water beside it")
+                   "write the water of each frame to this file; a scene with a result table writes the "
+                   "table there, and the water to a second file, such as out-water.csv")
         ->check(namesSomething());
     app.add_option("--frames", run.frames, "write pictures (PNG) into this folder")->check(namesSomething());
     app.add_option("--view", words.view,
-                   "what pictures show of the sheets: their looks, water content, film or strain [beauty]")
+                   "what pictures show of the sheets: appearance, moisture content, film or strain [beauty]")
         ->check(CLI::IsMember({"beauty", "content", "film", "strain"}));
-    app.add_option("--record", run.record, "make a film of the run, such as out.mp4, with ffmpeg")
+    app.add_option("--record", run.record, "record a video of the run, such as out.mp4, with ffmpeg")
         ->check(namesSomething());
     app.add_option("--export", run.exported,
-                   "without a window: the sheets frame by frame, as an animation (FILE.glb), or as numbered "
-                   "meshes (FILE.obj) or tables of their nodes (FILE.csv); see docs/files.md")
+                   "without a window: export the sheets as an animation (FILE.glb), as numbered meshes "
+                   "(FILE.obj), or as numbered tables of their nodes (FILE.csv); see docs/files.md")
         ->check(endsLike(exportEndings()));
     app.add_option("--every", run.every,
-                   "a picture each so many frames of 1/60 s [the scene's own moments]; without a window, "
-                   "also of a film [each frame] and of what is exported [each fourth]")
+                   "number of frames of 1/60 s between pictures [chosen by the scene]; without a window, "
+                   "also between frames of a video [1] and of an export [4]")
         ->check(CLI::Range(1, 1000000));
 }
 
@@ -183,12 +183,12 @@ void addWindowOptions(CLI::App& app, RunOptions& run) {
     app.add_option("--size", run.windowSize, "width and height of the window [1280 720]")
         ->check(CLI::Range(100, 16384));
     app.add_option("--speed", run.speed,
-                   "in the window, simulated time over wall time, at most; 0: as fast as it can [1]")
+                   "in the window, largest ratio of simulated time to wall time; 0: unlimited [1]")
         ->check(inRange(0, 1000));
-    app.add_flag("--paused", run.paused, "in the window, begin with the scene paused; space lets it go on");
+    app.add_flag("--paused", run.paused, "in the window, start with the scene paused; space continues");
     app.add_flag("--timings", run.timings,
-                 "say on stderr when the window's first picture came, and how many a second");
-    app.add_flag("--quit-at-end", run.quitAtEnd, "close the window when the scene has come to its end");
+                 "print to stderr when the window's first picture appeared, and the frame rate");
+    app.add_flag("--quit-at-end", run.quitAtEnd, "close the window when the scene ends");
 }
 
 }  // namespace

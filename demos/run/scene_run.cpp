@@ -23,7 +23,7 @@ SheetReading readingOf(const SceneSheet& sheet) {
             cloth.ledger()};
 }
 
-// Between two totals; sheets that have come since begin at nothing.
+// Difference of two totals; sheets that were added in between start at 0.
 FrameTimes difference(const FrameTimes& from, const FrameTimes& to) {
     if (to.water < from.water) return to;
     return {to.supply - from.supply, to.water - from.water,       to.laws - from.laws,
@@ -94,7 +94,7 @@ std::vector<Scene*> SceneRun::scenes() {
 }
 
 void SceneRun::save(const std::filesystem::path& file) {
-    hand_.letGo();  // what it holds is pinned, and would be for good
+    hand_.letGo();  // what it holds is pinned, and would stay so
     saveScene(file, describedNow(*scene_));
 }
 

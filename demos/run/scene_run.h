@@ -1,4 +1,4 @@
-// One run of a scene with somebody at the mouse.
+// One run of a scene with a user at the mouse.
 #pragma once
 
 #include <filesystem>
@@ -17,39 +17,40 @@
 
 namespace drench::demo {
 
-// A scene to be made.
+// A scene that is to be made.
 struct SceneRequest {
     std::string name;
     std::function<std::unique_ptr<Scene>()> make;  // none: no request
     std::function<std::unique_ptr<Scene>()>
-        makeTwin;  // the same without water, to run beside it; none: alone
+        makeTwin;  // makes a copy without water that is shown beside it; none: no copy
 };
 
-// A scene, its water log, and the user's hand in it. While nothing is done to it, its numbers are those of
-// the same scene without a window.
+// A scene, its water log, and the user's mouse tools. Without user input its results are the same as without
+// a window.
 class SceneRun {
   public:
     // @param number  of this run, for its frame states
     // @throws what making the scene throws
     SceneRun(const SceneRequest& request, const RunOptions& options, int number);
 
-    // The scene, and its dry twin if it has one.
+    // The scene, and its dry copy if there is one.
     std::vector<Scene*> scenes();
-    // How pictures show the sheets from now on.
+    // Sets what pictures show of the sheets from now on.
     void setView(View view) { view_ = view; }
-    // Writes the scene as it is now into a scene file.
-    // @throws std::runtime_error for a scene that a scene file cannot hold, or a file that cannot be written
+    // Writes the present state of the scene to a scene file.
+    // @throws std::runtime_error for a scene that cannot be described by a scene file, or a file that cannot
+    //     be written
     void save(const std::filesystem::path& file);
 
-    // Simulates a frame. At the scene's end it writes the report and the files that the options ask for; the
-    // scene may play on after that.
+    // Simulates a frame. When the scene ends, it writes the report and the files in the options; the scene
+    // may continue after that.
     void advance(const Pointer& pointer);
     // Whether the scene has come to its end.
     bool ended() const { return ended_; }
-    // Name of the picture that the options want of this frame, without folder and ending; none if they want
-    // none.
+    // Name of the picture that the options require of this frame, without folder and extension; none if not
+    // required.
     std::optional<std::string> pictureName() const;
-    // All there is to see and to read now.
+    // Everything to show of the present state.
     FrameState frameState() const;
 
   private:
@@ -69,7 +70,7 @@ class SceneRun {
     View view_ = View::beauty;
     int frames_ = 0;
     bool ended_ = false;
-    FrameTimes before_;  // totals of all sheets, as the frame began
+    FrameTimes before_;  // totals of all sheets at the start of the frame
     FrameTimes times_;   // of the last frame
 };
 

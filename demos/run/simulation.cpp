@@ -9,7 +9,7 @@ namespace drench::demo {
 
 namespace {
 
-// With so many frames waiting to be drawn the simulation waits too.
+// Number of frames waiting to be drawn at which the simulation waits, too.
 constexpr std::size_t maxKeepsakes = 3;
 
 }  // namespace
@@ -79,7 +79,7 @@ void Simulation::setFilmed(bool filmed) {
 }
 
 void Simulation::setView(View view) {
-    // As a command, so that it is seen at once while the scene stands still.
+    // As a command, so that it takes effect at once while the scene is paused.
     change([&] {
         orders_.view = view;
         orders_.commands.emplace_back([](Scene&) {});
@@ -88,7 +88,7 @@ void Simulation::setView(View view) {
 
 void Simulation::save(const std::filesystem::path& file) {
     post([this, file, done = false](Scene&) mutable {
-        if (std::exchange(done, true)) return;  // it is called for the twin too
+        if (std::exchange(done, true)) return;  // also called for the copy
         run_->save(file);
         notice_ = "wrote " + file.string();
     });
@@ -124,7 +124,7 @@ void Simulation::work() {
     }
 }
 
-// Returns false when it is time to end.
+// Returns false when the thread must end.
 bool Simulation::waitForWork(std::unique_lock<std::mutex>& lock) {
     for (;;) {
         if (stop_) return false;
@@ -144,7 +144,7 @@ bool Simulation::wantsFrame() const {
     return !standsStill_ && (steps_ > 0 || !paused_) && keepsakes_.size() < maxKeepsakes;
 }
 
-// What lasts, as where the mouse is, stays behind.
+// Lasting values, such as the pointer, are kept.
 Simulation::Orders Simulation::takeOrders() {
     Orders taken = orders_;
     orders_.request = {};
@@ -180,7 +180,7 @@ void Simulation::obey(const Command& command) {
     }
 }
 
-// A simulation that runs as fast as it can makes more frames than anybody can see.
+// Unlimited speed produces more frames than can be seen.
 void Simulation::publish(const Orders& orders) {
     constexpr auto shortest = std::chrono::milliseconds(8);
     const auto now = FrameClock::Clock::now();
@@ -198,7 +198,7 @@ void Simulation::publish(const Orders& orders) {
     });
 }
 
-// The scene stays as it was seen last.
+// The last state of the scene stays visible.
 void Simulation::fail(const std::string& what) {
     std::cerr << "drench-demo: " << what << std::endl;
     change([&] {

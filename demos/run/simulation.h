@@ -1,4 +1,4 @@
-// A scene that runs by itself, on a thread of its own.
+// A scene that is simulated on its own thread.
 #pragma once
 
 #include <condition_variable>
@@ -20,20 +20,19 @@
 
 namespace drench::demo {
 
-// A frame that somebody wants to have drawn, however slowly that goes.
+// A frame that must be drawn, even if the simulation has to wait.
 struct Keepsake {
     std::shared_ptr<const FrameState> state;
-    std::string name;     // of its picture, without folder and ending; empty: none is wanted
-    bool filmed = false;  // part of the film
+    std::string name;     // of its picture, without folder and extension; empty: no picture
+    bool filmed = false;  // whether it belongs to the video
 };
 
-// Owns a scene and steps it, no faster than 60 frames a second of wall time unless told so. What the user
-// does is applied between two frames. Nobody who looks on makes it wait, except for pictures that have to be
-// kept.
+// Owns a scene and steps it, at up to 60 frames per second of wall time by default. User input is applied
+// between two frames. Readers never delay it, except for pictures that must be kept.
 //
-// What goes wrong on the thread stops the scene, and stands in the frame state's `trouble` and on stderr; a
-// restart begins anew. All calls are for the thread that made it, and none waits for a frame but the
-// destructor.
+// An error on the thread stops the scene; it is reported in the frame state's `trouble` and on stderr, and a
+// restart begins again. All functions are for the thread that constructed it; only the destructor waits for a
+// frame.
 class Simulation {
   public:
     using Command = std::function<void(Scene&)>;
@@ -41,49 +40,48 @@ class Simulation {
 
     // Starts the thread.
     // @param request  its scene is made on the thread
-    // @param options  what to write; the CSV comes at the end of each run, pictures by `takeKeepsakes`
-    // @param now  the wall time that frames keep to; called on the thread, too
+    // @param options  files to write: the CSV at the end of each run, pictures by `takeKeepsakes`
+    // @param now  clock of the wall time; called also on the thread
     Simulation(SceneRequest request, const RunOptions& options, Now now = FrameClock::Clock::now);
-    // Waits for the frame under way.
+    // Waits for the current frame.
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
-    // Begins a new run; commands that still wait are dropped.
+    // Starts a new run; pending commands are dropped.
     void restart(SceneRequest request);
-    // Does something to the scene, and to its dry twin, before the next frame; commands keep their order.
-    // What they throw stands in the frame states' `notice`, and the scene goes on.
+    // Applies a function to the scene, and to its dry copy, before the next frame; the order is kept.
+    // Exceptions are reported in the frame states' `notice`, and the scene continues.
     void post(Command command);
-    // Where the mouse is and what it does, until told otherwise.
+    // Position and tool of the mouse, valid until changed.
     void setPointer(const Pointer& pointer);
 
-    // Lets it stand still, or go on.
+    // Pauses or continues.
     void setPaused(bool paused);
-    // Whether it stands still; default: as the options say.
+    // Whether it is paused; the default is in the options.
     bool paused() const;
-    // Simulates one frame more, also while it stands still.
+    // Simulates one more frame, also while it is paused.
     void step();
-    // Simulated time over wall time, at most; 0: as fast as it can. Default 1.
+    // Largest ratio of simulated time to wall time; 0: unlimited. Default 1.
     void setSpeed(double speed);
     double speed() const;
 
-    // Shows the sheets in this way from now on.
+    // Sets what pictures show of the sheets from now on.
     void setView(View view);
-    // Writes the scene as it is after the frame under way into a scene file; the frame states' `notice` says
-    // how that went.
+    // Writes the state after the current frame to a scene file; the result is in the frame states' `notice`.
     void save(const std::filesystem::path& file);
-    // How long the window has taken to draw a picture, s, for scenes that report it.
+    // Time for drawing a picture in the window, s, for scenes that report it.
     void noteDrawTime(double seconds);
 
-    // The newest frame state; none before the first scene is made.
+    // The latest frame state; null before the first scene is made.
     std::shared_ptr<const FrameState> latest() const;
-    // Whether each frame from now on is kept for a film; the simulation then waits for whoever takes them.
+    // Whether each frame from now on is kept for a video; the simulation then waits until frames are taken.
     void setFilmed(bool filmed);
-    // Hands over the frames to be drawn since the last call, oldest first.
+    // Returns the frames to be drawn since the last call, oldest first.
     std::vector<Keepsake> takeKeepsakes();
 
   private:
-    // What the thread is to do next.
+    // Input for the thread.
     struct Orders {
         SceneRequest request;
         std::deque<Command> commands;
@@ -108,25 +106,25 @@ class Simulation {
     const RunOptions options_;
     const Now now_;
 
-    mutable std::mutex mutex_;  // of what follows, up to the thread's own
+    mutable std::mutex mutex_;  // for the members down to those of the thread
     std::condition_variable news_;
     Orders orders_;
     bool stop_ = false;
     bool paused_;
-    bool standsStill_ = true;  // before the first scene, and after trouble
-    int steps_ = 0;            // to make in spite of a pause
+    bool standsStill_ = true;  // before the first scene, and after an error
+    int steps_ = 0;            // frames to simulate in spite of a pause
     double speed_ = 1;
     FrameClock clock_;
     std::shared_ptr<const FrameState> latest_;
     std::deque<Keepsake> keepsakes_;
 
-    // Of the thread alone.
+    // Used only by the thread.
     std::unique_ptr<SceneRun> run_;
     int runs_ = 0;
     std::string notice_;
     FrameClock::Clock::time_point published_;
 
-    std::thread thread_;  // last, as it uses all of the above
+    std::thread thread_;  // last, because it uses all members above
 };
 
 }  // namespace drench::demo

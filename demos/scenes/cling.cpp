@@ -25,14 +25,13 @@ class Cling final : public StagedScene {
     static constexpr double startsAt = 1;    // s, when the balls begin to turn
     static constexpr double turnRate = 0.6;  // rad/s
     static constexpr double spinUp = 1;      // s
-    static constexpr double reach = 2e-3;    // m: nodes so near to where cloth rests touch
-    static constexpr double lost = 0.05;     // share of nodes in contact below which a sheet is off its ball
-    static constexpr double stays = 0.6;     // share that a sheet keeps on a ball that it clings to
+    static constexpr double reach = 2e-3;    // m, distance within which a node counts as in contact
+    static constexpr double lost = 0.05;     // fraction in contact below which a sheet has fallen off
+    static constexpr double stays = 0.6;     // fraction in contact that an adhering sheet keeps
     static constexpr double carriedAlong = 0.9;
-    static constexpr double leftBehind =
-        60;  // degrees that a sheet which stays on and slips is carried, at most
+    static constexpr double leftBehind = 60;  // degrees, largest rotation of a sheet that stays on and slips
     static constexpr double gravity = 9.81;
-    static constexpr double shortestHold = 0.02;  // m of wet cloth that its cling can hold up by an edge
+    static constexpr double shortestHold = 0.02;  // m, length of wet cloth that adhesion can hold at an edge
 
   public:
     explicit Cling(const SceneOptions& options) : StagedScene(fitted(sceneFile("cling"), options), {60, 60}) {
@@ -70,7 +69,7 @@ class Cling final : public StagedScene {
 
         const SceneCloth& cloth() const { return cloth_; }
 
-        // Keeps the ball where it is, whatever lies on it.
+        // Keeps the ball at its position under any load.
         void turn(double rate) {
             ball_.setLinearVelocity({0, 0, 0});
             ball_.setAngularVelocity({btScalar(rate), 0, 0});
@@ -83,7 +82,7 @@ class Cling final : public StagedScene {
             carried_ += std::remainder(angle - carried_, 2 * pi);
         }
 
-        // How far the ball has taken the middle of the sheet while it was on it, degrees.
+        // Angle by which the ball has carried the middle of the sheet while in contact, degrees.
         double carried() const { return degrees(carried_); }
         double contactFraction() const {
             const btVector3 centre = ball_.getWorldTransform().getOrigin();
@@ -97,7 +96,7 @@ class Cling final : public StagedScene {
         double meanHeight() const { return double(cloth_.centre().y()); }
 
       private:
-        // Wrapped round the ball from its top, so that the middle lines keep their lengths.
+        // Wrapped around the ball from its top, so that the centre lines keep their lengths.
         void layOnBall() {
             const btVector3 centre = ball_.getWorldTransform().getOrigin();
             const double radius = radius_ + double(cloth_.body().getCollisionShape()->getMargin());
@@ -157,7 +156,7 @@ class Cling final : public StagedScene {
         const Side &dry = *sides_[0], &wet = *sides_[1];
         const Fabric& fabric = cloth().fabric();
         const bool turnedFar = degrees(turned_) > 2 * leftBehind;
-        // Heavier cloth peels itself off, from its edge, once it hangs below the ball.
+        // Heavier cloth peels off from its edge once it hangs below the ball.
         const double hangsOnBy =
             fabric.clingEnergy / (gravity * (fabric.arealDensity + fabric.poreCapacity()));
         const bool shouldStay = turnedFar && hangsOnBy > shortestHold;

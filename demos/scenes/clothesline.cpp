@@ -21,22 +21,24 @@ namespace drench::demo {
 
 namespace {
 
-// A soaked sheet, 1.0 m x 0.8 m, is pegged to a line in air of 25 degrees and 50 % humidity. The wind turns to and
-// fro, so that the sheet moves, but its speed stays the same. The water runs 240 times as fast as the clock: an hour
-// takes 15 seconds. Ends when every node is in balance with the air, or after 90 seconds.
+// A soaked sheet, 1.0 m x 0.8 m, is pegged to a line in air of 25 degrees and 50 % humidity. The direction of
+// the wind oscillates, so that the sheet moves, but its speed is constant. The water runs 240 times as fast
+// as simulated time: an hour takes 15 seconds. The scene ends when every node is in equilibrium with the air,
+// or after 90 seconds.
 class Clothesline final : public StagedScene {
-    static constexpr int gaps = 3;           // between pegs
-    static constexpr double slack = 0.03;    // share by which pegs are closer together than the cloth is wide
-    static constexpr double windTurn = 0.5;  // rad, to either side
-    static constexpr double windPeriod = 5;  // s
-    static constexpr double balanced = 0.02;  // of every node's content against that in balance with the air
+    static constexpr int gaps = 3;            // number of gaps between pegs
+    static constexpr double slack = 0.03;     // of the cloth between pegs, fraction
+    static constexpr double windTurn = 0.5;   // rad, to either side
+    static constexpr double windPeriod = 5;   // s
+    static constexpr double balanced = 0.02;  // relative difference from equilibrium
 
-    // Drying is measured between these shares of what the sheet holds when it has stopped dripping.
+    // Drying is measured between these fractions of the water that the sheet holds when it has stopped
+    // dripping.
     static constexpr double measuredFrom = 0.9, measuredTo = 0.4;
-    static constexpr double maxDryNodes = 0.05;  // share of the sheet; beyond it drying slows down
-    static constexpr double dripsOver = 0.95;    // of all that drips, after which dripping counts as over
+    static constexpr double maxDryNodes = 0.05;  // fraction of the sheet above which drying slows down
+    static constexpr double dripsOver = 0.95;    // fraction of all dripped water
 
-    static constexpr double gramsAndHours = 1e3 * 3600;  // kg/s in g/h
+    static constexpr double gramsAndHours = 1e3 * 3600;  // g/h per kg/s
 
   public:
     explicit Clothesline(const SceneOptions& options)
@@ -103,22 +105,22 @@ class Clothesline final : public StagedScene {
     }
 
   private:
-    // What there was after a frame.
+    // State after a frame.
     struct Sample {
         double mass;        // kg, cloth and water
         double film;        // kg
         double pores;       // kg
         double dripped;     // kg
         double evaporated;  // kg
-        double caught;      // kg, from drops that fell on the sheet again
-        double couldDry;    // kg, that a sheet wet all over would have lost by now
-        double dryNodes;    // share of the nodes whose fibres are no longer full of water
+        double caught;      // kg, from drops that landed on the sheet again
+        double couldDry;    // kg, loss of a completely wet sheet so far
+        double dryNodes;    // fraction of the nodes below the bound maximum
     };
-    // Drying while the sheet is wet all over, g/(m2 h).
+    // Drying rate while the sheet is completely wet, g/(m2 h).
     struct ConstantRate {
         double measured;
         double expected;
-        double from, to;  // mean content, kg/kg
+        double from, to;  // mean moisture content, kg/kg
     };
     void script() override {
         const double angle = windTurn * std::sin(2 * pi * time() / windPeriod);
@@ -155,8 +157,8 @@ class Clothesline final : public StagedScene {
         checkDrying(list);
     }
 
-    // Pegs hold two nodes of the upper edge each, a little closer together than it is long, so that the sheet falls into
-    // soft folds.
+    // Each peg holds two nodes of the upper edge, slightly closer together than that edge is long, so that
+    // the sheet hangs in soft folds.
     void hang() {
         const int nodes = cloth().nodesWarp();
         for (int peg = 0; peg <= gaps; ++peg)
@@ -172,7 +174,8 @@ class Clothesline final : public StagedScene {
             for (const int i : {peg, peg + 1}) cloth().node(i, 0).m_im = 0;
     }
 
-    // How far a column of nodes is in front of the line, m: half a wave from peg to peg that takes up the slack.
+    // Distance of a column of nodes in front of the line, m: half a wave from peg to peg that takes up the
+    // slack.
     double rippleDepth(double column) const {
         for (std::size_t gap = 0; gap + 1 < pegs_.size(); ++gap) {
             const double from = pegs_[gap] + 1, to = pegs_[gap + 1];
@@ -300,9 +303,9 @@ class Clothesline final : public StagedScene {
                                   sixDigits(balance_)));
     }
 
-    bool wholeLength_;       // nobody asked for it to end early
-    double balance_;         // content in balance with the air, kg/kg
-    std::vector<int> pegs_;  // columns in which they sit
+    bool wholeLength_;       // whether it was not set to end early
+    double balance_;         // equilibrium moisture content, kg/kg
+    std::vector<int> pegs_;  // columns of nodes at the pegs
     int maxSteps_ = 0;
     bool dry_ = false;
     std::vector<Sample> samples_;

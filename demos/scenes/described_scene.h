@@ -1,4 +1,4 @@
-// A scene that is nothing but its description.
+// A scene that consists only of its description.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace drench::demo {
 
-// Runs a description for its duration; its report is the water of each sheet, its check that of their ledgers.
+// Runs a description for its duration; it reports the water of each sheet, and checks the water balance.
 class DescribedScene final : public StagedScene {
   public:
     DescribedScene(const SceneDescription& description, const SceneOptions& options)

@@ -43,7 +43,7 @@ class Drape final : public StagedScene {
     }
 
   private:
-    // How deep the deepest node is inside the ball, m; 0 if none is.
+    // Largest depth of a node inside the ball, m; 0 if no node is inside.
     double penetration(std::size_t side) const {
         double deepest = 0;
         const btSoftBody& body = cloth(side).body();
@@ -54,7 +54,8 @@ class Drape final : public StagedScene {
         return deepest;
     }
 
-    // Mean horizontal distance of the four corners from the ball's axis, m: small when the sheet hangs close.
+    // Mean horizontal distance of the four corners from the axis of the ball, m: small if the sheet hangs
+    // close to it.
     double spread(std::size_t side) const {
         const SceneCloth& sheet = cloth(side);
         const btVector3 centre = toBullet(balls_[side].position);
@@ -92,7 +93,7 @@ class Drape final : public StagedScene {
                                   " kg instead of ", sixDigits(saturated), " kg"));
     }
 
-    std::vector<SolidDescription> balls_;  // of the dry and the wet sheet
+    std::vector<SolidDescription> balls_;  // below the dry and the wet sheet
 };
 
 }  // namespace

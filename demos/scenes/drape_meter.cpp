@@ -20,17 +20,17 @@ constexpr double clothRadius = 0.15;      // m
 constexpr double pedestalRadius = 0.09;   // m
 constexpr double pedestalHeight = 0.12;   // m
 constexpr double axes[] = {-0.18, 0.18};  // m, x of the pedestals'
-constexpr double roughness = 5e-5;        // m, of the cloth as it lies; without it nothing would fold
+constexpr double roughness = 5e-5;        // m, of the cloth at the start; without it the cloth would not fold
 constexpr double fallDamping = 2;         // 1/s, for the air
-constexpr double slowest = 5e-4;          // m/s, of a disc, below which it counts as at rest
+constexpr double slowest = 5e-4;          // m/s, speed of a disc below which it counts as at rest
 constexpr double shortest = 1;            // s
 constexpr int stillFrames = 15;           // in a row
 
-// How silhouettes are looked at.
+// Parameters of the evaluation of silhouettes.
 constexpr int pixels = 1024;
 constexpr double pictureReach = 1.05 * clothRadius;
 constexpr int directionsRound = 720;
-constexpr double prominence = 3e-3;  // m, that a fold stands out
+constexpr double prominence = 3e-3;  // m, smallest height of a fold
 constexpr int highestOrder = 12;
 
 double ringArea(double outer) {
@@ -41,15 +41,15 @@ int nodesAcross(const SceneOptions& options) {
     return options.resolution > 0 ? options.resolution : 48;
 }
 
-// With the solver's own choice links this short act as soft as m / h^2, softer than the cloth shears. With four
-// to a node across the disc, twice as many change the drape by less than a point.
+// With the automatic number of steps, links this short are softer than the shear stiffness of the cloth. With
+// four steps per node across the disc, twice as many change the drape coefficient by less than a point.
 SceneDescription described(const SceneOptions& options) {
     SceneDescription scene = fitted(sceneFile("drape-meter"), options);
     if (!options.smallSteps) scene.solver.smallSteps = std::min(999, 4 * nodesAcross(options));
     return scene;
 }
 
-// The upright side of a cylinder.
+// The lateral surface of a cylinder.
 viewer::SheetMesh cylinder(const Eigen::Vector3f& foot, float radius, float height,
                            const Eigen::Vector3f& colour) {
     constexpr std::uint32_t corners = 64;
@@ -68,7 +68,7 @@ viewer::SheetMesh cylinder(const Eigen::Vector3f& foot, float radius, float heig
     return mesh;
 }
 
-// A plate on a foot, which the cloth may hang round.
+// A plate on a foot, around which the cloth may hang.
 void showPedestal(viewer::Picture& picture, float x) {
     constexpr float thickness = 0.004f, clear = 0.001f;
     constexpr auto top = float(pedestalHeight), radius = float(pedestalRadius) - clear;
@@ -107,7 +107,7 @@ void DrapeMeter::addDisc(const std::string& name, double fractionOfSaturation, c
                                      makeDisc(stage().world().worldInfo(), fabric, mesh, centre), settings));
     disc.setDamping(fallDamping);
     disc.wet().soakPores(fractionOfSaturation * fabric.poreCapacity());
-    // Between the plates of the instrument the cloth cannot move.
+    // Between the plates of the instrument the cloth is fixed.
     std::mt19937 random(scene.seed);
     std::uniform_real_distribution<double> offset(-roughness, roughness);
     for (int n = 0; n < disc.body().m_nodes.size(); ++n) {
@@ -220,7 +220,7 @@ void DrapeMeter::check(std::vector<std::string>& list) const {
     if (isTropical_) checkTropical(list);
 }
 
-// Measured on real cloth by Matsudaira et al. 2015, whose bending the fabric has.
+// Measured on real cloth by Matsudaira et al. 2015; the fabric has the bending properties of that cloth.
 void DrapeMeter::checkTropical(std::vector<std::string>& list) const {
     constexpr double measured = 50.7, tolerance = 6;
     constexpr int nodes = 5, nodeTolerance = 1;

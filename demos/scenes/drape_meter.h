@@ -9,10 +9,10 @@
 
 namespace drench::demo {
 
-// Two discs of cloth, 30 cm across, lie clamped on pedestals of 18 cm, let go of their rims and come to rest: the
-// left one dry, the right one saturated. Measured is what they then cover, seen from above: the drape
-// coefficient, the share of the ring between pedestal and rim that is still covered, and the nodes, as the folds
-// of a draped cloth are called.
+// Two discs of cloth, 30 cm in diameter, lie clamped on pedestals of 18 cm, are released and come to rest:
+// the left one dry, the right one saturated. The result is their silhouette from above: the drape
+// coefficient, which is the fraction of the ring between pedestal and rim that is still covered, and the
+// number of folds, which are called nodes in drape tests.
 class DrapeMeter final : public StagedScene {
   public:
     explicit DrapeMeter(const SceneOptions& options);
@@ -24,13 +24,13 @@ class DrapeMeter final : public StagedScene {
     std::optional<Table> result() const override;
     void report(std::ostream& out) const override;
 
-    // What is measured of a disc.
+    // Results for a disc.
     struct Drape {
         double coefficient;  // %
-        int nodes;           // folds, counted
-        int dominantOrder;   // of the largest wave in the silhouette's radius
-        double nearest;      // m, least radius of the silhouette
-        double farthest;     // m
+        int nodes;           // number of folds
+        int dominantOrder;   // dominant number of waves of the silhouette's radius
+        double nearest;      // m, smallest radius of the silhouette
+        double farthest;     // m, largest radius of the silhouette
     };
     Drape dry() const { return drape(0); }
     Drape wet() const { return drape(1); }

@@ -23,13 +23,12 @@ namespace {
 // Two flags of the same cloth, 1.2 m x 0.8 m, on poles side by side: the left one dry, the right one saturated.
 // The wind blows from the left, steadily.
 class Flag final : public StagedScene {
-    static constexpr double measuredFor = 8;  // s, the last of the run
-    static constexpr double swingOut =
-        0.02;  // m, by which a flag is out of the wind's own plane at the start
+    static constexpr double measuredFor = 8;  // s, at the end of the run
+    static constexpr double swingOut = 0.02;  // m, initial displacement out of the plane of the wind
     static constexpr double maxStretch =
-        0.2;  // of a single thread, at the upper end of the hoist when the flag cracks
-    static constexpr double slower = 0.85;  // the wet flag's frequency over the dry one's, at most
-    static constexpr double lower = 2;      // degrees that the wet flag hangs lower, at least
+        0.2;  // strain of a single thread at the upper end of the hoist when the flag cracks
+    static constexpr double slower = 0.85;  // largest ratio of the wet flag's frequency to the dry one's
+    static constexpr double lower = 2;      // degrees, smallest difference of the deflections
 
   public:
     explicit Flag(const SceneOptions& options) : StagedScene(fitted(sceneFile("flag"), options), {60, 60}) {
@@ -60,7 +59,7 @@ class Flag final : public StagedScene {
       public:
         explicit Side(SceneCloth& cloth)
             : cloth_(cloth), freeEdge_(frameTime, measuredFor), chord_(frameTime, measuredFor) {
-            // Exactly in the wind's own plane nothing would tell it to which side to swing out.
+            // Exactly in the plane of the wind it would have no preferred side.
             const double fly = cloth.madeFrom().warp.norm(), hoistAt = cloth.madeFrom().corner.x();
             for (int j = 0; j < cloth_.nodesWeft(); ++j)
                 for (int i = 0; i < cloth_.nodesWarp(); ++i) {
@@ -79,9 +78,10 @@ class Flag final : public StagedScene {
             stretch_ = std::max(stretch_, cloth_.largestStretch());
         }
 
-        // Of the middle of the free edge, m.
+        // Position of the middle of the free edge, m.
         double acrossWind() const { return double(freeMiddle().z()); }
-        // Of the chord from the middle of the hoist to that of the free edge: 0 hanging down, 90 in the wind.
+        // Angle of the chord from the middle of the hoist to that of the free edge: 0 hanging down, 90 in the
+        // wind.
         double fromHanging() const {
             const btVector3 chord = freeMiddle() - cloth_.node(0, cloth_.nodesWeft() / 2).m_x;
             return degrees(std::acos(double(-chord.y() / chord.length())));
@@ -129,7 +129,7 @@ class Flag final : public StagedScene {
 
     void check(std::vector<std::string>& list) const override {
         const Side &dry = *sides_[0], &wet = *sides_[1];
-        // The wind suits a cotton flag, so only that one is checked for how fast it flaps.
+        // The wind speed suits a cotton flag, so only for cotton the flapping frequency is checked.
         const bool isCotton = cloth().isMadeOf("cotton"), longEnough = time() >= measuredFor + 2;
         if (isCotton && longEnough && !(wet.frequency() < slower * dry.frequency()))
             list.push_back(textOf("the wet flag flaps at ", sixDigits(wet.frequency()),

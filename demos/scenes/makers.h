@@ -1,4 +1,4 @@
-// Makes the scenes on the list, each of which is in the file of its name.
+// Functions that make the built-in scenes; each is in the file of its name.
 #pragma once
 
 #include <memory>

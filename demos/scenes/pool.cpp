@@ -21,7 +21,7 @@ namespace {
 class Dip final : public StagedScene {
     static constexpr double barLow = 0.64;  // m, of the bar
     static constexpr double lowersAt = 0.5, liftsAt = 11,
-                            moves = 2.5;        // s: when it begins to, and for how long
+                            moves = 2.5;        // s, start and duration of each movement
     static constexpr double barRadius = 0.012;  // m
 
   public:
@@ -54,7 +54,7 @@ class Dip final : public StagedScene {
     }
 
   private:
-    // From 0 to 1, gently at both ends.
+    // Rises from 0 to 1, with slope 0 at both ends.
     static double eased(double fraction) {
         const double t = std::clamp(fraction, 0.0, 1.0);
         return t * t * (3 - 2 * t);
@@ -69,7 +69,7 @@ class Dip final : public StagedScene {
         return barHigh_ + (barLow - barHigh_) * down;
     }
 
-    // Of the lowest point under the surface, m; below 0 while it is above.
+    // Depth of the lowest point below the surface, m; negative above it.
     double depth() const { return waterLevel_ - cloth().lowest(); }
 
     double meanSaturation() const { return cloth().wet().moisture().meanSaturation(); }
@@ -137,8 +137,8 @@ class Dip final : public StagedScene {
     double waterLevel_;                // m
     double barHigh_;                   // m, of the bar at the start
     std::vector<int> held_;            // nodes in the clips
-    std::vector<btVector3> fromBar_;   // of each of them, m
-    double saturationUnderWater_ = 0;  // at the end of the rest under water
+    std::vector<btVector3> fromBar_;   // m, position of each relative to the bar
+    double saturationUnderWater_ = 0;  // at the end of the time under water
 };
 
 }  // namespace

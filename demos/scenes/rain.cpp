@@ -17,16 +17,15 @@ namespace drench::demo {
 
 namespace {
 
-// A sheet, 1.2 m square, hangs level between four posts, held at its corners and at the middle of two sides,
-// and sags like an awning. A roof covers the half of it at x < 0. First it comes to rest, then rain falls
-// for the rest of the time. The air is sealed off, so that all water in the sheltered half came out of the
-// rain.
+// A sheet, 1.2 m square, hangs horizontally between four posts, held at its corners and at the middle of two
+// edges, and sags like an awning. A roof covers its half at x < 0. The sheet first comes to rest; then it
+// rains to the end. The air is sealed off, so that all water in the sheltered half comes from the rain.
 class HalfUnderRoof final : public StagedScene {
-    static constexpr double slack = 0.985;     // distance of the posts over the sheet's side
+    static constexpr double slack = 0.985;     // distance of the posts over the sheet's edge length
     static constexpr double bowDepth = 0.05;   // m, of the sheet at the start
     static constexpr double settlingTime = 2;  // s
     static constexpr double clearOfEdge =
-        0.02;  // m under the roof from where on the sheet should be dry, beside two cells
+        0.02;  // m under the roof from where the sheet should be dry, plus two cells
     static constexpr double dropMass = 4.2e-6;  // kg, of the rain
     static constexpr int framesPerRow = 300;
 
@@ -66,8 +65,8 @@ class HalfUnderRoof final : public StagedScene {
         return std::abs(doubled) / 2;
     }
 
-    // Held at the middles of two sides, too. An even number of nodes, so that the edge of the roof is midway between two
-    // rows of them.
+    // Held also at the middle of two edges. The number of nodes is even, so that the edge of the roof is
+    // midway between two rows of nodes.
     static SceneDescription described(const SceneOptions& options) {
         SceneDescription scene = fitted(sceneFile("rain"), options);
         SheetDescription& sheet = scene.sheets.front();
@@ -78,7 +77,7 @@ class HalfUnderRoof final : public StagedScene {
         return scene;
     }
 
-    // Cut flat, then hung slack between posts that stand a little closer than the sheet is wide.
+    // A flat sheet, hung with slack between posts that are slightly closer together than the sheet is wide.
     void hang() {
         const double side = cloth().madeFrom().warp.norm();
         for (int j = 0; j < cloth().nodesWeft(); ++j)
@@ -92,7 +91,7 @@ class HalfUnderRoof final : public StagedScene {
             }
     }
 
-    // Of the part of the sheet beside the roof, as the rain sees it, m2.
+    // Area of the part of the sheet beside the roof, projected along the rain, m2.
     double openGround() const {
         double area = 0;
         const btSoftBody& body = cloth().body();
@@ -105,7 +104,7 @@ class HalfUnderRoof final : public StagedScene {
 
     double rainTime() const { return std::max(0.0, time() - settlingTime); }
 
-    // Of the columns of nodes from one share of the sheet's width to another.
+    // Mean over the columns of nodes between two fractions of the sheet's width.
     double saturationBetween(double from, double to) const {
         const Moisture& moisture = cloth().wet().moisture();
         const int nodes = cloth().nodesWarp();
@@ -119,7 +118,7 @@ class HalfUnderRoof final : public StagedScene {
         return held / capacity;
     }
 
-    // Share of all water that is under the roof, clear of its edge.
+    // Fraction of all water that is under the roof, away from its edge.
     double fractionDeepInShelter() const {
         const Moisture& moisture = cloth().wet().moisture();
         double deep = 0;
@@ -182,7 +181,7 @@ class HalfUnderRoof final : public StagedScene {
     }
 
     void check(std::vector<std::string>& list) const override {
-        // Single drops scatter by more than 5 % only in a shower of a second or less.
+        // The randomness of drops exceeds 5 % only in a shower of a second or less.
         const double tolerance = std::max(0.05 * expected_, 4 * std::sqrt(expected_ * dropMass));
         if (std::abs(brought() - expected_) > tolerance)
             list.push_back(textOf("the rain brought ", sixDigits(brought()), " kg instead of ",
@@ -195,10 +194,10 @@ class HalfUnderRoof final : public StagedScene {
             list.push_back(textOf("something besides the rain brought ", sixDigits(fromElsewhere), " kg"));
     }
 
-    double intensity_;         // mm/h, that it begins with
-    double height_;            // m, at which the sheet is held
-    double openAreaTime_ = 0;  // m2 s of open ground since the rain began
-    double expected_ = 0;      // kg, on that ground by the intensity of the rain
+    double intensity_;         // mm/h, initial value
+    double height_;            // m, height at which the sheet is held
+    double openAreaTime_ = 0;  // m2 s, projected open area, integrated since the rain began
+    double expected_ = 0;      // kg, rain on that area
 };
 
 }  // namespace

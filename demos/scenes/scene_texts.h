@@ -1,4 +1,4 @@
-// What the scenes on the list consist of.
+// Scene files of the built-in scenes, compiled into the program.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace drench::demo {
 
-// The scene file of that name in demos/scenes. @throws std::out_of_range for a name that is not there
+// The scene file of that name in demos/scenes. @throws std::out_of_range for an unknown name
 SceneDescription sceneFile(const std::string& name);
 
 }  // namespace drench::demo

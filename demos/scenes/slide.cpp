@@ -23,9 +23,9 @@ class Slide final : public StagedScene {
     static constexpr double lowEnd = 0.12;      // m, height of the lower end of the slopes
     static constexpr double startsAt = 0.05;    // m, of a sheet's upper edge from the upper end
     static constexpr double gravity = 9.81;
-    static constexpr double measuredAt = 0.8;  // s, before the drag of the air counts
+    static constexpr double measuredAt = 0.8;  // s, before air drag matters
     static constexpr double mayMissBy = 0.05;
-    static constexpr double holds = 0.02;  // m, at most
+    static constexpr double holds = 0.02;  // m, largest displacement
 
     static constexpr double tilt = radians(20);
 
@@ -96,12 +96,12 @@ class Slide final : public StagedScene {
         return scene;
     }
 
-    // Of the middle of a sheet, down the slope, m.
+    // Position of the middle of a sheet along the slope, m.
     double slid(std::size_t lane) const {
         return double(cloth(lane).centre().dot(downwards())) - starts_[lane];
     }
 
-    // The way down a slope without air, m.
+    // Distance slid on a slope without air drag, m.
     double dryTheory(double time) const {
         const double friction = cloth().fabric().plateFrictionDry;
         return gravity / 2 * (std::sin(tilt) - friction * std::cos(tilt)) * time * time;
@@ -128,7 +128,8 @@ class Slide final : public StagedScene {
     }
 
     void check(std::vector<std::string>& list) const override {
-        // Of cloth that dry friction holds, or damp friction does not, or soaked friction does, there is nothing to see.
+        // Not checked for cloth that dry friction holds, that damp friction does not hold, or that soaked
+        // friction holds.
         const Fabric& fabric = cloth().fabric();
         const double slips = std::tan(tilt);
         const bool shows = fabric.plateFrictionDry < slips && fabric.plateFrictionDamp > slips &&
@@ -144,8 +145,8 @@ class Slide final : public StagedScene {
             list.push_back(textOf("the soaked sheet slid only ", sixDigits(slid(2)), " m"));
     }
 
-    std::vector<double> starts_;  // of each sheet's middle, along the slope, m
-    double measuredDry_ = 0;      // m that the dry sheet slid until `measuredAt`
+    std::vector<double> starts_;  // initial position of each sheet's middle along the slope, m
+    double measuredDry_ = 0;      // distance of the dry sheet at `measuredAt`, m
 };
 
 }  // namespace

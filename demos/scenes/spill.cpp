@@ -18,15 +18,15 @@ namespace drench::demo {
 
 namespace {
 
-// A cloth, 1.1 m square, lies on a table and hangs over its edges. A jug pours water on its middle; the
-// stain spreads in the cloth by wicking, twenty times as fast as in life. The air is sealed off, so that the
-// stain neither dries nor grows by vapour.
+// A cloth, 1.1 m square, lies on a table and hangs over its edges. A jug pours water on its middle; the stain
+// spreads by wicking, at twenty times the real speed. The air is sealed off, so that the stain neither dries
+// nor takes up vapour.
 class Spill final : public StagedScene {
     static constexpr double settlingTime = 1.5;  // s, dry
     static constexpr double pouringTime = 3;     // s
     static constexpr double pouredMass =
-        0.045;  // kg; three times that would soak more cloth than lies on the table
-    static constexpr double stained = 0.1;  // saturation from which on cloth counts as stained
+        0.045;  // kg; three times as much would soak more cloth than lies on the table
+    static constexpr double stained = 0.1;  // saturation above which cloth counts as stained
     static constexpr double deepestAllowed = 0.01;
     static constexpr int framesPerRow = 120;
 
@@ -62,10 +62,10 @@ class Spill final : public StagedScene {
         return std::get<SprayDescription>(scene.sources.front().water);
     }
 
-    // The part of the cloth that is visibly wet.
+    // The visibly wet part of the cloth.
     struct Stain {
         double area = 0;            // m2
-        double extentWarp = 0;      // m, root mean square distance from its middle along the warp, doubled
+        double extentWarp = 0;      // m, twice the root mean square distance from its centre along the warp
         double extentWeft = 0;      // m, the same along the weft
         double meanSaturation = 0;  // 0 to 1
 
@@ -138,15 +138,15 @@ class Spill final : public StagedScene {
         expect(std::abs(poured() - pouredMass) < 0.01 * pouredMass,
                "the cloth did not get what was in the jug, but, kg", poured());
         expect(largestShrinkage_ < 0.01, "the stain shrank by the share", largestShrinkage_);
-        // In a fabric that wicks better one way a stain is an ellipse.
+        // In a fabric with different permeabilities along warp and weft a stain is an ellipse.
         const double expected =
             std::sqrt(cloth().fabric().permeabilityWarp / cloth().fabric().permeabilityWeft);
         const double round = stain().roundness() / expected;
         expect(round > 0.85 && round < 1.18, "the stain is not as round as the fabric wicks", round);
     }
 
-    // Pours until the cloth has got what was in the jug: nodes fill the round stream only roughly, so that a little of it
-    // misses the cloth. The last frame pours no more than is left.
+    // Pours until the cloth has got the contents of the jug: the nodes cover the round stream only
+    // approximately, so that a little of it misses the cloth. The last frame pours only what is left.
     double pourNow() {
         const double left = pouredMass - poured();
         if (time() < settlingTime - frameTime / 2 || emptyAt_ > 0) return 0;
@@ -154,7 +154,7 @@ class Spill final : public StagedScene {
             emptyAt_ = time();
             return 0;
         }
-        // The jug runs with the water: in its time the stream is slower.
+        // The jug pours in water time, so the stream is slower in simulated time.
         const double steady = pouredMass / waterTime(pouringTime);
         return std::min(steady, left / waterTime(frameTime));
     }
@@ -184,8 +184,8 @@ class Spill final : public StagedScene {
     }
 
     double poured() const { return broughtBy("spray", cloth().wet()); }  // kg
-    // How far the deepest node would have to move, up or aside, to be out of the space of the table and below
-    // it, m; 0 if none is there. Cloth that hangs from an edge may swing under it a little.
+    // Distance that the deepest node would have to move, up or sideways, to leave the space of the table and
+    // below it, m; 0 if there is none. Cloth that hangs from an edge may swing under the table a little.
     double deepestInTable() const {
         double deepest = 0;
         const double top = table_.position.y() + table_.halfExtents.y();
@@ -199,7 +199,7 @@ class Spill final : public StagedScene {
     }
 
     double waterTime(double seconds) const { return seconds * cloth().waterSpeed(); }
-    // A round jug with a neck and a handle, tilted so far that its mouth is at the spout.
+    // A round jug with a neck and a handle, tilted so that its mouth is at the spout.
     void showJug(viewer::Picture& picture) const {
         const Eigen::Vector3f china(0.75f, 0.74f, 0.70f), spout = spout_.cast<float>();
         const Eigen::Vector3f axis(0.86f, 0.51f, 0), upwards(-0.51f, 0.86f, 0);
@@ -218,8 +218,8 @@ class Spill final : public StagedScene {
         for (std::size_t i = 1; i < handle.size(); ++i) piece(handle[i - 1], handle[i], 0.007f);
     }
 
-    // Two drops that are drawn out while the picture is exposed, from the lip on: one over all the way, which ends in the
-    // cloth, and one that makes the stream thicker where it is still slow. Small ones leap up where it ends.
+    // The stream consists of two drops with motion blur, starting at the lip: a long one that ends in the
+    // cloth, and one that makes the stream thicker where it is still slow. Small drops splash where it ends.
     void showStream(viewer::Picture& picture) const {
         constexpr int leaping = 14;
         constexpr float gravity = 9.81f, perLength = 120;  // m/s2, 1/s
@@ -246,10 +246,10 @@ class Spill final : public StagedScene {
 
     SolidDescription table_;
     Eigen::Vector3d spout_;
-    double pouringRate_ = 0;       // kg/s of water time, now
-    double emptyAt_ = 0;           // s, when the last of the water left the jug; 0 before
-    double largestStain_ = 0;      // m2, since then
-    double largestShrinkage_ = 0;  // share of the largest stain before that a later one lacked
+    double pouringRate_ = 0;       // present rate, kg/s of water time
+    double emptyAt_ = 0;           // time at which the jug became empty, s; 0 before
+    double largestStain_ = 0;      // largest area since then, m2
+    double largestShrinkage_ = 0;  // largest relative decrease below that area
 };
 
 }  // namespace

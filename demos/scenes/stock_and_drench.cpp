@@ -28,13 +28,13 @@ namespace {
 // with Drench dry, and with Drench saturated. All have one substep of 1/60 s a frame.
 class StockAndDrench final : public Scene {
     static constexpr double apart = 1.5;   // m, from sheet to sheet
-    static constexpr double slack = 0.94;  // distance of the corners over the sheet's side
+    static constexpr double slack = 0.94;  // distance of the corners over the sheet's edge length
     static constexpr double bow = 0.15;    // m, of the sheet's middle at the start
 
   public:
     explicit StockAndDrench(const SceneOptions& options) {
         SceneOptions own = options;
-        own.solver = SolverKind::smallStep;  // of those that are not stock, whatever is asked for
+        own.solver = SolverKind::smallStep;  // of the two sheets with Drench, independent of the options
         const SceneDescription scene = fitted(sceneFile("stock-and-drench"), own);
         duration_ = scene.duration;
         specimens_ = {std::make_unique<Specimen>(Specimen::Kind::stock, scene, -apart),
@@ -209,7 +209,7 @@ class StockAndDrench final : public Scene {
         }
 
       private:
-        // A sheet that Drench knows nothing of.
+        // A sheet without a WetCloth.
         void addPlainSheet(int iterations) {
             const Fabric fabric = sheet_.fabric.fabric();
             albedo_ = {float(fabric.albedoRed), float(fabric.albedoGreen), float(fabric.albedoBlue)};
@@ -224,7 +224,7 @@ class StockAndDrench final : public Scene {
             stage_->world().damp(*body_, sheet_.damping, frameTime);
         }
 
-        // Cut flat, then hung between posts that stand a little closer, in a soft bow.
+        // A flat sheet, hung in a soft bow between posts that are slightly closer together than it is wide.
         void hang() {
             const double side = sheet_.warp.norm();
             for (int n = 0; n < body_->m_nodes.size(); ++n) {
@@ -241,11 +241,11 @@ class StockAndDrench final : public Scene {
         SheetDescription sheet_;
         double x_;
         std::unique_ptr<Stage> stage_;
-        SceneCloth* cloth_ = nullptr;        // none: stock
+        SceneCloth* cloth_ = nullptr;        // null: stock
         std::unique_ptr<btSoftBody> plain_;  // the stock sheet
         btSoftBody* body_ = nullptr;
         Eigen::Vector3f albedo_ = Eigen::Vector3f::Zero();
-        std::vector<Eigen::Vector2f> flat_;  // where each node is in the flat cloth
+        std::vector<Eigen::Vector2f> flat_;  // position of each node in the flat cloth
         double computing_ = 0;               // s
         int frames_ = 0;
     };

@@ -27,39 +27,41 @@ constexpr double restingHeight = 3.6;       // m, of the line between the corner
 constexpr int heldNodes = 3;                // at each corner, as in the scene file
 constexpr double notMeasured = std::numeric_limits<double>::quiet_NaN();
 
-// A flat sheet may buckle to either side, and here and there to both, which changes the sag by a centimetre.
-// A breath of wind that fades away while it settles makes it the same side everywhere and in every step.
+// A flat sheet may buckle to either side, and to both in different parts, which changes the sag by a
+// centimetre. A weak wind that fades away while it settles selects the same side everywhere and in every
+// step.
 constexpr double breath = 2.0;      // m/s
 constexpr double breathTime = 2.0;  // s
 
 struct PhasePlan {
     double duration;  // s
-    double averaged;  // s at its end over which to measure
-    double damping;   // 1/s, taken from all velocities
+    double averaged;  // length of the averaging interval at its end, s
+    double damping;   // decay rate of all velocities, 1/s
 };
 constexpr PhasePlan settling{3.5, 0.4, 4.0};
 constexpr PhasePlan blowing{2.5, 1.0, 0.8};
-constexpr PhasePlan swinging{8.0, 0.0, 0.05};  // at most; ends with the period
+constexpr PhasePlan swinging{8.0, 0.0, 0.05};  // at most; ends after one period
 
-// Water in an inner node at a step, as a share of saturation.
+// Water in an inner node at a step, as a fraction of saturation.
 double fractionOfSaturation(int step) {
     return step == 0 ? 0.0 : (0.010e-3 + 0.083e-3 * step) / saturatedNode;
 }
 
-// Node spacing at which an inner node of cotton saturates at 0.840 g in a grid 55 nodes wide.
+// Node spacing for which an inner node of cotton holds 0.840 g at saturation, in a grid 55 nodes wide.
 double cottonSpacing() {
     return std::sqrt(saturatedNode / fabrics::cottonPlain().poreCapacity());
 }
 
-// The sag hangs on the few links at the corners, which carry far more than the mean that the solver's own
-// choice goes by. With as many small steps as nodes along the warp, twice as many change it by 2 % or so.
+// The sag depends on the few links at the corners, which carry far more load than the mean that determines
+// the automatic number of steps. With as many small steps as nodes along the warp, twice as many change it by
+// about 2 %.
 int smallSteps(int nodesWarp) {
-    constexpr int multiple = 4;  // lets the solver spare plates
+    constexpr int multiple = 4;  // so that plates can be evaluated less often
     return (nodesWarp + multiple - 1) / multiple * multiple;
 }
 
-// What a step begins with. The experiment prescribes how much water each part of the cloth holds, so the water stands
-// still: it neither runs down nor dries.
+// Initial state of a step. The experiment prescribes how much water each part of the cloth holds, so the
+// water is fixed: it neither runs down nor dries.
 SceneDescription described(const SceneOptions& options, int step) {
     SceneDescription scene = fitted(sceneFile("ten-steps"), options);
     SheetDescription& sheet = scene.sheets.front();
@@ -79,7 +81,7 @@ double mean(const std::vector<double>& values) {
 
 }  // namespace
 
-// Finds the period of a swing from the times at which it passes its middle.
+// Determines the period of a swing from the times at which it passes its mean position.
 class TenSteps::Swing {
   public:
     void note(double time, double displacement) {
@@ -89,7 +91,7 @@ class TenSteps::Swing {
         noted_ = true;
     }
 
-    // NaN while it has not passed the middle twice.
+    // NaN until it has passed the mean position twice.
     double period() const {
         return crossings_.size() < 2 ? notMeasured : 2 * (crossings_[1] - crossings_[0]);
     }
@@ -218,7 +220,7 @@ void TenSteps::measureWind() {
     if (phaseTime_ > blowing.duration - blowing.averaged) samples_.push_back(deflection());
     if (phaseTime_ < blowing.duration) return;
     results_.back().windDeflection = mean(samples_);
-    windSpeed_ = stage_->weather().windSpeed;  // which the user may have changed
+    windSpeed_ = stage_->weather().windSpeed;  // may have been changed by the user
     momentNow_ = true;
     beginPhase(Phase::swinging);
 }
@@ -346,7 +348,7 @@ std::vector<std::string> TenSteps::failures() const {
     const auto grows = [&](const char* what, double Result::*value, bool up) {
         for (std::size_t step = 1; step < results_.size(); ++step) {
             const double before = results_[step - 1].*value, now = results_[step].*value;
-            if (std::isnan(now)) continue;  // not reached, or nothing to measure
+            if (std::isnan(now)) continue;  // not reached, or not measurable
             if (up ? now > before : now < before) continue;
             std::ostringstream text;
             text << what << " should " << (up ? "grow" : "fall") << " with every step, but goes from "

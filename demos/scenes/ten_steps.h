@@ -9,10 +9,9 @@
 namespace drench::demo {
 
 // A sheet of 55 x 45 nodes hangs by its two upper corners over a ball and the ground. Step 0 is dry; steps n
-// = 1..10 hold 0.010 + 0.083 n grams of water per inner node of cotton, the last of which is saturation;
-// other fabrics get the same shares of their own saturation. The water is in the pores and stands still. Each
-// step starts from a flat sheet at rest, settles in still air, is measured, then blown at, measured again, and
-// let swing.
+// = 1..10 have 0.010 + 0.083 n grams of water per inner node of cotton, up to saturation; other fabrics get
+// the same fractions of their own saturation. The water is fixed in the pores. Each step starts from a flat
+// sheet at rest, settles in still air, is measured, then exposed to wind, measured again, and swings freely.
 class TenSteps final : public Scene {
   public:
     explicit TenSteps(const SceneOptions& options);
@@ -35,19 +34,19 @@ class TenSteps final : public Scene {
     void report(std::ostream& out) const override;
     std::vector<std::string> failures() const override;
 
-    // What is known of a step; NaN where it is not measured yet.
+    // Results of a step; NaN if not measured yet.
     struct Result {
         double waterPerNode;    // g, of an inner node
         double sheetMass;       // kg
-        double massRatio;       // to the dry sheet
+        double massRatio;       // ratio to the dry sheet
         double sag;             // m, of the upper edge's middle below the line between the corners, still air
         double meanStrain;      // of stretch and shear links, still air
-        double windDeflection;  // degrees, of the line from the upper edge to the sheet's centre of mass
+        double windDeflection;  // degrees, angle of the line from the upper edge to the centre of mass
         double swingPeriod;     // s, after the wind has stopped
         double albedo;          // mean of the three channels and all nodes
         double simulationRate;  // frames of 1/60 s simulated per second of computing
-        double frameRate;       // the same with drawing
-        int steps;              // a frame: small ones, or substeps
+        double frameRate;       // the same including rendering
+        int steps;              // per frame: small steps, or substeps
         double imbalance;       // of the ledger, relative to what was supplied
     };
 
@@ -73,11 +72,11 @@ class TenSteps final : public Scene {
     void endStep();
 
     SceneOptions options_;
-    double windSpeed_;  // m/s, that the next step is blown at with
+    double windSpeed_;  // m/s, wind of the next step
     std::unique_ptr<Stage> stage_;
     SceneCloth* sheet_ = nullptr;
     std::unique_ptr<Swing> swing_;
-    std::vector<Result> results_;  // the last one is of the step under way
+    std::vector<Result> results_;  // the last one belongs to the current step
     Phase phase_ = Phase::settling;
     double phaseTime_ = 0;         // s since the phase began
     std::vector<double> samples_;  // sag or deflection over the end of the phase
@@ -85,7 +84,7 @@ class TenSteps final : public Scene {
     double totalTime_ = 0;         // s simulated since the experiment began
     double computing_ = 0;         // s of computing in this step
     int frames_ = 0;               // simulated in this step
-    double drawing_ = 0;           // s that the last picture took; NaN before
+    double drawing_ = 0;           // s, for the last picture; NaN before
     bool momentNow_ = false;
     bool done_ = false;
 };

@@ -19,18 +19,18 @@ namespace drench::demo {
 
 namespace {
 
-// A vertical strip, 3 cm wide and 30 cm long, warp upwards, both long edges held in a frame, its foot 1 cm in a
-// dish of water. The water runs 60 times as fast as the clock: 30 minutes take 30 seconds. No vapour passes, so
-// that nothing but height holds the water back.
+// A vertical strip, 3 cm wide and 30 cm long, with the warp upwards and both long edges fixed in a frame; its
+// lower end is 1 cm deep in a dish of water. The water runs 60 times as fast as simulated time: 30 minutes
+// take 30 seconds. There is no vapour exchange, so only gravity limits the rise.
 class Wick final : public StagedScene {
-    static constexpr double wantedDepth = 0.01;  // m, of the foot below the water
+    static constexpr double wantedDepth = 0.01;  // m, depth of the lower end in the water
     static constexpr double frontLevel = 0.1;    // saturation that counts as wet
     static constexpr double finestNeeded =
-        5.1e-3;  // m, node spacing up to which heights compare with the reference
-    static constexpr double tolerance = 0.12;  // of heights against the reference, whose foot is always full
-    static constexpr double fitFrom = 0.01, fitTo = 0.05;  // m, heights of the early rise
+        5.1e-3;                                // m, largest node spacing for a comparison with the reference
+    static constexpr double tolerance = 0.12;  // relative; the reference is always full below
+    static constexpr double fitFrom = 0.01, fitTo = 0.05;  // m, range of heights of the early rise
 
-    // Heights that a fine one-dimensional solution of the same equations gives for cotton (docs/water.md).
+    // Heights for cotton from a fine one-dimensional solution of the same equations (docs/water.md).
     struct Reference {
         double minutes;
         double height;  // m
@@ -97,7 +97,7 @@ class Wick final : public StagedScene {
         return mesh;
     }
 
-    // A white dish of water whose surface is at a height.
+    // A white dish of water with its surface at a height.
     static void showDish(viewer::Picture& picture, float level) {
         constexpr float x = 0.075f, z = 0.05f, flare = 1.02f;
         const float rim = level + 0.008f;
@@ -142,7 +142,8 @@ class Wick final : public StagedScene {
         return std::get<PoolDescription>(scene.sources.front().water);
     }
 
-    // The topmost wet row is just under the surface, so that heights count from where the water enters.
+    // The highest wet row is just below the surface, so that heights are measured from where the water
+    // enters.
     static SceneDescription described(const SceneOptions& options) {
         SceneDescription scene = fitted(sceneFile("wick"), options);
         const SheetDescription& strip = scene.sheets.front();
@@ -152,7 +153,7 @@ class Wick final : public StagedScene {
         return scene;
     }
 
-    // The law of Washburn, height^2 = coefficient (time - offset), fitted to the early rise.
+    // Washburn's law, height^2 = coefficient (time - offset), fitted to the early rise.
     struct Fit {
         double coefficient;    // m2/s
         double determination;  // R2, 1
@@ -198,7 +199,7 @@ class Wick final : public StagedScene {
         if (!washburn && waterMinutes() > 5) list.emplace_back("the front has not risen enough for a fit");
     }
 
-    // Highest place that is at least a tenth saturated, m above the water.
+    // Highest position with a saturation of at least a tenth, m above the water.
     double frontHeight() const {
         const double depth = level_ - cloth().madeFrom().corner.y();
         double above = 0;
@@ -221,7 +222,7 @@ class Wick final : public StagedScene {
         return sum / cloth().nodesWeft();
     }
 
-    // NaN for a time that has not come.
+    // NaN for a time in the future.
     double heightAfter(double minutes) const {
         const auto frame =
             static_cast<std::size_t>(std::lround(minutes * 60 / cloth().waterSpeed() / frameTime));
@@ -229,7 +230,7 @@ class Wick final : public StagedScene {
     }
 
     std::optional<Fit> fit() const {
-        // Least squares of height^2 over time, both from their means.
+        // Least squares of height^2 over time, relative to their means.
         std::vector<double> times, squares;
         double meanTime = 0, meanSquare = 0;
         for (std::size_t i = 0; i < heights_.size(); ++i) {

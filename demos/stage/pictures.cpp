@@ -32,7 +32,7 @@ std::vector<float> ofEachNode(const btSoftBody& body, const Quantity& quantity) 
     return result;
 }
 
-// Mean size of the strain of the links at each node, without those that bend, %.
+// Mean |strain| of the stretch and shear links at each node, %.
 std::vector<float> strains(const btSoftBody& body) {
     std::vector<float> sums(static_cast<std::size_t>(body.m_nodes.size())), counts(sums.size());
     for (int l = 0; l < body.m_links.size(); ++l) {
@@ -49,7 +49,7 @@ std::vector<float> strains(const btSoftBody& body) {
     return sums;
 }
 
-// Content of full pores, at most, kg/kg.
+// Largest moisture content of full pores, kg/kg.
 float mostAbsorbent(const std::vector<const WetCloth*>& cloths) {
     double max = 0;
     for (const WetCloth* const cloth : cloths)

@@ -1,4 +1,4 @@
-// Sheets as the viewer wants them.
+// Converts sheets for the viewer.
 #pragma once
 
 #include <drench/config.h>
@@ -18,25 +18,25 @@ class WetCloth;
 
 namespace drench::demo {
 
-// What a picture shows of its wet sheets.
+// The quantity that pictures show on wet sheets.
 enum class View {
-    beauty,   // how they look
-    content,  // water over dry cloth, kg/kg
+    beauty,   // appearance
+    content,  // moisture content, kg/kg
     film,     // thickness of the film on one face, micrometres
-    strain    // of stretch and shear, mean of the links at a node, %
+    strain    // mean |strain| of the stretch and shear links at a node, %
 };
 
-// A wet sheet as it is now: where it is, how its water makes it look, and its values in the view.
+// A wet sheet in its present state: positions, appearance and the values of the view.
 viewer::SheetMesh sheetMesh(const btSoftBody& body, const WetCloth& cloth, View view = View::beauty);
 
-// What each node has of the quantity of a view; empty for `View::beauty`.
+// Value of each node in a view; empty for `View::beauty`.
 std::vector<float> values(const btSoftBody& body, const WetCloth& cloth, View view);
 
-// What the colours of a view of these cloths mean: from 0 to the content of full pores of the most absorbent fabric, 200
-// micrometres, or 5 %. None for `View::beauty`.
+// The legend of a view of these sheets: from 0 to the moisture content of full pores of the most absorbent
+// fabric, 200 micrometres, or 5 %. None for `View::beauty`.
 std::optional<viewer::Legend> legend(View view, const std::vector<const WetCloth*>& cloths);
 
-// A sheet without water as it is now, all of one colour.
+// A sheet without water in its present state, in a single colour.
 viewer::SheetMesh sheetMesh(const btSoftBody& body, const Eigen::Vector3f& albedo);
 
 }  // namespace drench::demo

@@ -1,4 +1,4 @@
-// What a scene of the demo program is.
+// Interface of the scenes of the demo program.
 #pragma once
 
 #include <iosfwd>
@@ -15,16 +15,16 @@
 
 namespace drench::demo {
 
-// What the command line says about a scene.
+// Options of a scene from the command line.
 struct SceneOptions {
-    std::string fabric = "cotton";  // as for `fabricDescription`; empty: the scene's own
-    int resolution = 0;             // nodes along the warp of each sheet; 0: the scene's own
-    double seconds = 0;             // simulated time after which it ends; 0: the scene's own
-    unsigned seed = 1;              // of whatever is random in the scene
+    std::string fabric = "cotton";  // as for `fabricDescription`; empty: the scene's default
+    int resolution = 0;             // nodes along the warp of each sheet; 0: the scene's default
+    double seconds = 0;             // simulated duration; 0: the scene's default
+    unsigned seed = 1;              // of all random numbers of the scene
     WorldKind world = WorldKind::softRigid;
     SolverKind solver = SolverKind::smallStep;  // in the soft-rigid world
-    std::optional<int> smallSteps;  // of a frame, 0: as many as the cloth needs; none: the scene's own
-    bool water = true;  // false: the same scene with nothing that brings water, sealed from vapour
+    std::optional<int> smallSteps;  // per frame, 0: chosen automatically; none: the scene's default
+    bool water = true;              // false: without sources, and without vapour exchange
 };
 
 class Stage;
@@ -37,11 +37,11 @@ struct SceneSheet {
 
 // An image that a scene makes itself.
 struct Drawing {
-    std::string name;  // of its file, without folder and ending
+    std::string name;  // of its file, without folder and extension
     viewer::Image image;
 };
 
-// An experiment that runs by itself, frame by frame, in a window or without.
+// An experiment that is simulated frame by frame, in a window or without.
 class Scene {
   public:
     // Time of one frame, s.
@@ -51,38 +51,38 @@ class Scene {
 
     // Simulates one frame.
     virtual void advance() = 0;
-    // Whether it has come to its end.
+    // Whether it has ended.
     virtual bool finished() const = 0;
-    // Share of it that is done, 0 to 1.
+    // Fraction that is done, 0 to 1.
     virtual double progress() const = 0;
-    // What happens right now, in a few words.
+    // Present phase, in a few words.
     virtual std::string status() const = 0;
 
-    // What there is to see now, the sheets as in the view.
+    // A picture of the present state; sheets show the quantity of the view.
     virtual viewer::Picture picture(View view) const = 0;
-    // At a moment worth keeping, a file name for its picture, without folder and ending.
+    // At a moment to be recorded, the file name of its picture, without folder and extension.
     virtual std::optional<std::string> moment() const { return std::nullopt; }
-    // Images of its own that go with the result.
+    // Images that the scene itself makes, as part of the result.
     virtual std::vector<Drawing> drawings() const { return {}; }
-    // Pictures that belong side by side, at the end; they come into one image under `sideBySideName`.
+    // At the end, pictures to be shown side by side in one image, named `sideBySideName`.
     virtual std::vector<viewer::Picture> sideBySide() const { return {}; }
     virtual std::string sideBySideName() const { return "side-by-side"; }
-    // Tells the scene how long a picture took to draw, s.
+    // Reports the time for drawing a picture to the scene, s.
     virtual void noteDrawTime(double) {}
 
-    // The stages that it is played on now, by which everything on them can be reached and changed between frames.
+    // The present stages of the scene, which give access to all objects between frames.
     virtual std::vector<Stage*> stages() = 0;
-    // The sheets there are now.
+    // The present sheets.
     std::vector<SceneSheet> sheets();
 
-    // Columns of its own that the water log of each frame gets, and their values now.
+    // Additional columns of the water log, and their present values.
     virtual std::vector<Column> columns() const { return {}; }
     virtual std::vector<double> row() const { return {}; }
-    // The result as rows of numbers, where that is something else than the log of each frame.
+    // The result as a table, if it differs from the log of each frame.
     virtual std::optional<Table> result() const { return std::nullopt; }
-    // Writes the result for people.
+    // Prints the result.
     virtual void report(std::ostream& out) const = 0;
-    // What is wrong with the result; empty if it is as it should be.
+    // Failed checks of the result; empty if there are none.
     virtual std::vector<std::string> failures() const = 0;
 };
 

@@ -76,7 +76,7 @@ SceneCloth::~SceneCloth() {
     world_.removeSoftBody(*body_);
 }
 
-// A perfectly flat sheet has no reason to leave its plane; a hundredth of a millimetre is one.
+// A perfectly flat sheet would never leave its plane, so nodes are displaced by a hundredth of a millimetre.
 void SceneCloth::makeUneven(unsigned randomSeed) {
     if (!(description_.unevenness > 0)) return;
     const btVector3 normal = normalOf(description_);
@@ -96,7 +96,7 @@ void SceneCloth::hold() {
     }
 }
 
-// Pushed together along the warp, in half waves that keep its length.
+// Compressed along the warp, in half waves that keep its length.
 void SceneCloth::takeUpSlack() {
     const double width = description_.warp.norm(),
                  span = width * (1 - description_.slack) / description_.waves;

@@ -1,4 +1,4 @@
-// A sheet and its water, as scenes keep them.
+// A sheet and its water in a scene.
 #pragma once
 
 #include <drench/drench.h>
@@ -11,14 +11,14 @@
 
 namespace drench::demo {
 
-// A sheet in a world, which it leaves in its destructor.
+// A sheet in a world; the destructor removes it from there.
 class SceneCloth {
   public:
-    // A rectangular sheet, hung, held and wetted as its description says.
-    // @param randomSeed  of its unevenness
+    // A rectangular sheet, pinned and wetted as in its description.
+    // @param randomSeed  for its unevenness
     // @throws std::invalid_argument that names the sheet
     SceneCloth(SceneWorld& world, const SheetDescription& description, unsigned randomSeed);
-    // A sheet of any other shape, which has neither rows nor a description.
+    // A sheet of another shape, without rows and without a description.
     SceneCloth(SceneWorld& world, std::string name, const Fabric& fabric, std::unique_ptr<btSoftBody> body,
                const SheetSettings& settings);
     ~SceneCloth();
@@ -32,39 +32,39 @@ class SceneCloth {
     const WetCloth& wet() const { return *wet_; }
     const Fabric& fabric() const { return fabric_; }
 
-    // What it was made from; nothing is said there of a sheet of another shape.
+    // Its description; not meaningful for a sheet of another shape.
     const SheetDescription& madeFrom() const { return description_; }
-    // Whether its fabric is that ready one.
+    // Whether its fabric is this ready-made one.
     bool isMadeOf(const std::string& preset) const {
         return description_.fabric.like == preset && description_.fabric.changes.empty() &&
                !description_.fabric.construction;
     }
 
-    // Rate at which it loses velocity, 1/s.
+    // Decay rate of its velocity, 1/s.
     double damping() const { return description_.damping; }
     void setDamping(double rate) { description_.damping = rate; }
     double waterSpeed() const { return wet_->waterSpeed(); }
 
     int nodesWarp() const { return description_.nodes[0]; }
     int nodesWeft() const { return description_.nodes[1]; }
-    // The i-th along the warp and the j-th along the weft.
+    // Index of the i-th node along the warp and the j-th along the weft.
     btSoftBody::Node& node(int i, int j) { return body_->m_nodes[i + j * nodesWarp()]; }
     const btSoftBody::Node& node(int i, int j) const { return body_->m_nodes[i + j * nodesWarp()]; }
-    // Puts a node elsewhere without giving it a velocity.
+    // Moves a node without changing its velocity.
     void place(int i, int j, const btVector3& position);
-    // Where a node is in the flat sheet, from its corner along warp and weft, m.
+    // Position of a node in the flat sheet, from its corner along warp and weft, m.
     Eigen::Vector2d flatPosition(int node) const;
 
-    // The sheet as it is now.
-    // @throws std::runtime_error for one that is not a rectangle
+    // The present state of the sheet.
+    // @throws std::runtime_error for a sheet that is not a rectangle
     SheetDescription describe() const;
 
     double mass() const;            // of cloth and water, kg
     double lowest() const;          // m
     double highest() const;         // m
-    double largestStretch() const;  // of a link along the warp or the weft, 1; what shears is left out
-    double meanSpeed() const;       // of all nodes alike, m/s
-    btVector3 centre() const;       // mean of all nodes, m
+    double largestStretch() const;  // largest stretch of a link along the warp or the weft
+    double meanSpeed() const;       // mean over all nodes, m/s
+    btVector3 centre() const;       // mean over all nodes, m
 
   private:
     void makeUneven(unsigned randomSeed);

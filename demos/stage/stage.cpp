@@ -19,7 +19,7 @@ SmallStepSettings smallStepsOf(const SolverDescription& solver) {
     throw std::invalid_argument("there is no " + std::string(what) + " '" + name + "'; there are: " + known);
 }
 
-// The names of a list's entries, in quotes.
+// Names of the entries of a list, in quotes.
 template <typename List, typename NameOf>
 std::string namesOf(const List& list, NameOf nameOf) {
     std::string names;
@@ -50,7 +50,7 @@ Stage::Stage(const SceneDescription& description)
     addSheets();
     if (description_.water)
         for (const SourceDescription& source : description_.sources) sources_.emplace_back(source, sheets_);
-    // What they were made from is theirs now.
+    // From now on the objects hold these descriptions.
     description_.sheets.clear();
     description_.solids.clear();
 }
@@ -120,8 +120,9 @@ double Stage::stepBound() const {
     return bound;
 }
 
-// With stock Bullet as many as show the stiffness of the links; the wetter the sheets, the fewer it takes. The bound is
-// that of free corners, whose light nodes need steps shorter by sqrt(2) than the sheet and carry nothing.
+// With stock Bullet, as many as the stiffness of the links requires; wetter sheets need fewer. The bound is
+// that of free corners, whose light nodes need steps shorter by sqrt(2) than the rest of the sheet but carry
+// no load.
 void Stage::chooseSubsteps(double frameTime) {
     const double bound = stepBound();
     const int inner = std::max(1, int(std::ceil(frameTime / (std::sqrt(2.0) * bound))));

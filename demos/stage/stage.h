@@ -1,4 +1,4 @@
-// A place with sheets, solids, water and weather, which every scene is played on.
+// Sheets, solids, water and weather in one world; the base of every scene.
 #pragma once
 
 #include <drench/drench.h>
@@ -19,11 +19,11 @@
 
 namespace drench::demo {
 
-// Sheets, solids and sources in one world, in one weather. Made from a description, which it can give again at any
-// time with everything as it is then. Small code of a scene's own may be played over it.
+// Sheets, solids and sources in one world and one weather. It is made from a description, and can return a
+// description of its present state at any time. A scene may add code of its own.
 class Stage {
   public:
-    // @throws std::invalid_argument for what cannot be built, naming it
+    // @throws std::invalid_argument that names what cannot be made
     explicit Stage(const SceneDescription& description);
     ~Stage();
     Stage(const Stage&) = delete;
@@ -33,44 +33,46 @@ class Stage {
     const SceneWorld& world() const { return *world_; }
     std::vector<SceneCloth*> sheets();
     std::vector<const SceneCloth*> sheets() const;
-    // @throws std::invalid_argument for a name that is not there
+    // @throws std::invalid_argument for an unknown name
     SceneCloth& sheet(const std::string& name);
-    // Takes in a sheet of another shape than a rectangle, which must be in this world.
+    // Adds a sheet that is not a rectangle; it must be in this world.
     SceneCloth& add(std::unique_ptr<SceneCloth> sheet);
-    // The body of a solid. @throws std::invalid_argument for a name that is not there, or is only to look at
+    // The body of a solid. @throws std::invalid_argument for an unknown name, or an object that is only
+    // visible
     btRigidBody& solid(const std::string& name);
-    // What a source does; it may be changed at any time and counts from the next step on.
-    // @throws std::invalid_argument for a name that is not there
+    // Settings of a source; they may be changed at any time and take effect in the next step.
+    // @throws std::invalid_argument for an unknown name
     SourceDescription& source(const std::string& name);
-    // Drops in the air; null where drops are not followed.
+    // Drops in the air; null if drops are not simulated.
     const FallingDrops* drops() const { return drops_.get(); }
 
-    // What the user may change at any time; it counts from the next step on.
+    // Settings that may be changed at any time; they take effect in the next step.
     Weather& weather() { return weather_.now(); }
     const Weather& weather() const { return weather_.now(); }
-    // How much faster water runs than the world's own time, for all sheets; 0 to 1e5.
+    // Ratio of water time to simulated time, for all sheets; 0 to 1e5.
     // @throws std::invalid_argument for a speed out of range
     void setWaterSpeed(double speed);
-    // Shows what a nozzle sprays in the next step; it wets what is solid for the eye, and no sheet.
+    // Shows the spray of a nozzle in the next step; in pictures it wets solids, but it wets no sheet.
     void showSpray(const Nozzle& nozzle) { effects_.spray(nozzle); }
-    // Whether anything may bring water; otherwise no vapour passes either.
+    // Whether sources may add water; otherwise there is no vapour exchange either.
     bool hasWater() const { return description_.water; }
 
-    // Steps everything by one frame: weather, sources, world, drops, and what only the eye sees.
+    // Advances everything by one frame: weather, sources, world, drops, and effects for pictures.
     void step(double frameTime);
-    // That has passed, s, counted from the description's own.
+    // Simulated time, s, including the `time` of the description.
     double time() const { return time_; }
 
     // The smallest step bound of all sheets, s.
     double stepBound() const;
-    // Steps of the last frame: small ones, or substeps.
+    // Steps of the last frame: small steps, or substeps.
     int stepsOfFrame() const { return world_->stepsOfFrame(substeps_); }
 
-    // Adds everything that there is to see, its sheets as in the view, and looks at it with the camera of the
+    // Adds everything visible to a picture, with sheets in the given view, and sets the camera of the
     // description.
     void show(viewer::Picture& picture, View view) const;
 
-    // The stage as it is now, with the pose and the water of each sheet. Drops in the air are left out.
+    // A description of the present state, with positions and water of each sheet; drops in the air are
+    // omitted.
     // @throws std::runtime_error for a sheet that is not a rectangle
     SceneDescription describe() const;
 
@@ -78,7 +80,7 @@ class Stage {
     void addSheets();
     void chooseSubsteps(double frameTime);
 
-    SceneDescription description_;  // what was asked for; of sheets, solids, sources and weather see below
+    SceneDescription description_;  // as given; sheets, solids, sources and weather are below
     std::unique_ptr<SceneWorld> world_;
     std::vector<StageSolid> solids_;
     std::vector<std::unique_ptr<SceneCloth>> sheets_;

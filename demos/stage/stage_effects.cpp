@@ -7,11 +7,11 @@ namespace drench::demo {
 
 namespace {
 
-// Around what the camera looks at, down to the ground; rather behind it than before it, as drops close to the eye
-// would be as large as posts.
+// Around the target of the camera, down to the ground; more behind it than in front, because drops close to
+// the camera would look as large as posts.
 Eigen::AlignedBox3d showerOf(const SceneDescription& scene) {
     constexpr double narrowest = 1.5, widest = 6, height = 0.7,
-                     behind = 0.2;  // the last two over the half width
+                     behind = 0.2;  // the last two relative to the half width
     const double half = std::clamp(0.95 * double(scene.camera.distance), narrowest, widest);
     const Eigen::Vector3d target = scene.camera.target.cast<double>(),
                           middle = target + behind * half * scene.camera.forward().cast<double>();
@@ -23,7 +23,7 @@ Eigen::AlignedBox3d showerOf(const SceneDescription& scene) {
             Eigen::Vector3d(middle.x() + half, top, middle.z() + half)};
 }
 
-// Share of the sun's light that passes the clouds of such rain, mm/h (assumed).
+// Fraction of the sunlight that passes the clouds of rain of this intensity, mm/h (assumed).
 double sunshineIn(double rain) {
     constexpr double min = 0.24, half = 8;
     return min + (1 - min) * std::exp2(-rain / half);
@@ -50,7 +50,7 @@ void StageEffects::setPools(const std::vector<StageSource>& sources) {
     effects_->setPools(std::move(pools));
 }
 
-// Clouds take a moment to gather and to part.
+// Clouds appear and disappear gradually.
 void StageEffects::cloudOver(double rain, double frameTime) {
     constexpr double gathering = 1.5;  // s
     sunshine_ += (sunshineIn(rain) - sunshine_) * (1 - std::exp(-frameTime / gathering));

@@ -1,4 +1,4 @@
-// The water of a stage as the eye sees it.
+// Water of a stage in pictures.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,17 @@
 
 namespace drench::demo {
 
-// Follows rain, sprays, pools and drops; reads the stage and changes nothing on it. Takes no time before there is
+// Follows rain, sprays, pools and drops; reads the stage and does not change it. Costs no time until there is
 // water in the air.
 class StageEffects {
   public:
     StageEffects(const btCollisionWorld& world, const SceneDescription& description);
 
-    // Shows what a nozzle sprays in the next frame.
+    // Shows the spray of a nozzle in the next frame.
     void spray(const Nozzle& nozzle) { nozzles_.push_back(nozzle); }
 
-    // Follows one frame that has just been stepped.
-    // @param drops  null where they are not followed
+    // Follows a frame that has just been simulated.
+    // @param drops  null if drops are not simulated
     void step(double frameTime, double time, const Weather& weather, const std::vector<StageSource>& sources,
               const std::vector<std::unique_ptr<SceneCloth>>& sheets, const FallingDrops* drops);
     void show(viewer::Picture& picture) const;
@@ -33,7 +33,7 @@ class StageEffects {
 
     const btCollisionWorld& world_;
     WaterEffectsLimits limits_;
-    Eigen::AlignedBox3d shower_;   // where rain is seen
+    Eigen::AlignedBox3d shower_;   // region in which rain is visible
     std::vector<Nozzle> nozzles_;  // of the next frame
     std::unique_ptr<WaterEffects> effects_;
     double sunshine_;  // see viewer::Picture

@@ -22,7 +22,7 @@ btRigidBody& addTo(SceneWorld& world, const SolidDescription& solid) {
     return world.addBall(position, solid.radius, solid.mass);
 }
 
-// Gives what is shown the colour and the material that are wanted, if any are.
+// Sets colour and material, if given.
 template <typename Thing>
 Thing dressed(Thing thing, const SolidDescription& solid) {
     if (solid.colour) thing.albedo = solid.colour->cast<float>();

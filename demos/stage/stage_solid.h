@@ -1,4 +1,4 @@
-// Something solid on a stage, or something that is only to look at.
+// A solid on a stage, or an object that is only visible.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
@@ -15,12 +15,12 @@ class StageSolid {
     StageSolid(SceneWorld& world, const SolidDescription& description);
 
     const std::string& name() const { return description_.name; }
-    // How cloth takes to it; none: as Bullet's friction says.
+    // Surface kind for cloth; none: from Bullet's friction.
     std::optional<SurfaceKind> surface() const { return description_.surface; }
-    // None where it is only to look at.
+    // Null for an object that is only visible.
     btRigidBody* body() const { return body_; }
 
-    // As it is now.
+    // Its present state.
     SolidDescription describe() const;
     void show(viewer::Picture& picture) const;
 

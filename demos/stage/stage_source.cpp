@@ -15,7 +15,7 @@ std::vector<std::size_t> nodesWithin(const SoakDescription& soak, const SceneClo
     return nodes;
 }
 
-// Puts a source to work on a sheet.
+// Adds a source to a sheet.
 struct Begin {
     SceneCloth& sheet;
     const std::string& name;
@@ -38,7 +38,7 @@ struct Begin {
     }
 };
 
-// Gives a source at work the settings of its description.
+// Applies the settings of a description to an active source.
 struct Refresh {
     Source& source;
 
@@ -115,7 +115,7 @@ std::optional<SourceDescription> StageSource::describe(double time) const {
     SourceDescription now = description_;
     auto* const soak = std::get_if<SoakDescription>(&now.water);
     if (!soak || time <= now.from || works_.empty()) return now;
-    // In the time of the sheet, whose water may run faster.
+    // In water time, which may run faster.
     const double whole = soak->duration / std::max(works_.front().sheet->waterSpeed(), 1e-9);
     const double left = now.from + whole - time;
     if (!(left > 0)) return std::nullopt;

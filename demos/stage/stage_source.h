@@ -1,4 +1,4 @@
-// A source of water at work on sheets.
+// A source of water that acts on sheets of a stage.
 #pragma once
 
 #include <memory>
@@ -11,27 +11,27 @@
 
 namespace drench::demo {
 
-// A source as described, which comes and goes by the clock. Its description may be changed at any time and counts
-// from the next step on; of a soak that has begun only when it ends.
+// A source as described, which starts and stops at given times. Its description may be changed at any time
+// and takes effect in the next step; for a soak that has begun, only when it ends.
 class StageSource {
   public:
-    // @throws std::invalid_argument for a sheet that is not there
+    // @throws std::invalid_argument for an unknown sheet
     StageSource(const SourceDescription& description, const std::vector<std::unique_ptr<SceneCloth>>& sheets);
 
     SourceDescription& description() { return description_; }
     const SourceDescription& description() const { return description_; }
 
-    // Makes it work, or rest, in the frame that begins at a time, s.
+    // Starts or stops it for the frame that begins at a time, s.
     void prepare(double time, double frameTime);
 
-    // What is to be seen of a spray in the frame that begins at a time, s; none of other water, or while it rests.
+    // The visible spray in the frame that begins at a time, s; none for other sources, or while it is off.
     std::optional<Nozzle> nozzle(double time, double frameTime) const;
 
-    // As it is now; none once it has given all it had.
+    // Its present state; none once all its water has been added.
     std::optional<SourceDescription> describe(double time) const;
 
   private:
-    // A sheet, and the source on it while that works.
+    // A sheet, and the source on it while it is active.
     struct Work {
         SceneCloth* sheet;
         Source* source;

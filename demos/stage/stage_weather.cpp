@@ -7,7 +7,7 @@ namespace drench::demo {
 
 namespace {
 
-// A wind whose clock is ahead of the sheets'.
+// A wind field whose time is ahead of that of the sheets.
 class LaterWind final : public WindField {
   public:
     LaterWind(std::shared_ptr<const WindField> wind, double ahead) : wind_(std::move(wind)), ahead_(ahead) {}
@@ -26,7 +26,7 @@ class LaterWind final : public WindField {
 Eigen::Vector3d windOf(const Weather& weather) {
     const double length = weather.windDirection.norm();
     if (!(length > 0)) return Eigen::Vector3d::Zero();
-    // A unit vector is taken as it is, without another rounding.
+    // A unit vector is used unchanged, without rounding it again.
     const bool isUnit = std::abs(length - 1) < 1e-9;
     return weather.windDirection * (isUnit ? weather.windSpeed : weather.windSpeed / length);
 }
@@ -41,7 +41,7 @@ Eigen::Vector3d velocityOfRain(const Weather& weather) {
 StageWeather::StageWeather(const Weather& weather, unsigned randomSeed, double time, bool water)
     : weather_(weather), seed_(randomSeed), time_(time), water_(water) {}
 
-// Makes gusts only where the weather has changed, as new ones jump.
+// Makes gusts only if the weather has changed, because new gusts differ.
 void StageWeather::renewGusts() {
     const GustState wanted{windOf(weather_), weather_.gusts, weather_.gustLength};
     if (!(wanted.intensity > 0) || wanted.mean.isZero()) {

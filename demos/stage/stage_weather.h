@@ -1,4 +1,4 @@
-// Weather that sheets feel.
+// Weather that acts on sheets.
 #pragma once
 
 #include <map>
@@ -13,25 +13,25 @@ namespace drench::demo {
 // Mean velocity of the wind, m/s.
 Eigen::Vector3d windOf(const Weather& weather);
 
-// Of drops of rain, which drift with the wind up to 40 m/s, m/s.
+// Velocity of rain drops, which drift with the wind up to 40 m/s, m/s.
 Eigen::Vector3d velocityOfRain(const Weather& weather);
 
-// Brings the weather to some sheets: their air, and one rain for each.
+// Applies the weather to sheets: their air, and one rain for each.
 class StageWeather {
   public:
-    // @param randomSeed of gusts and rain
-    // @param time   that has passed before the sheets began, s: gusts go on from there
-    // @param water  false: it does not rain, and no vapour passes
+    // @param randomSeed  for gusts and rain
+    // @param time   simulated time before the sheets were made, s: gusts continue from there
+    // @param water  false: no rain, and no vapour exchange
     StageWeather(const Weather& weather, unsigned randomSeed, double time, bool water);
 
-    // May be changed at any time; it counts from the next call of `bringTo` on.
+    // May be changed at any time; takes effect in the next call of `bringTo`.
     Weather& now() { return weather_; }
     const Weather& now() const { return weather_; }
 
     void bringTo(const std::vector<std::unique_ptr<SceneCloth>>& sheets);
 
   private:
-    // What gusts are made from.
+    // Parameters of gusts.
     struct GustState {
         Eigen::Vector3d mean;
         double intensity;

@@ -1,4 +1,4 @@
-// A scene that is played on one stage for a set time; what such scenes share.
+// Base of scenes on one stage with a fixed duration.
 #pragma once
 
 #include <drench/drench.h>
@@ -13,11 +13,11 @@
 
 namespace drench::demo {
 
-// A description as the options want it: with their fabric, resolution, end, seed, solver and water.
-// @throws std::invalid_argument for a resolution other than that of a state that is part of the description
+// A description with the options applied: fabric, resolution, duration, seed, solver and water.
+// @throws std::invalid_argument for a resolution that differs from that of a saved state in the description
 SceneDescription fitted(SceneDescription description, const SceneOptions& options);
 
-// A stage that runs until a set time is over. Scenes add what they script, measure and say.
+// Runs a stage for a fixed duration. Derived scenes add motion, measurements and captions.
 class StagedScene : public Scene {
   public:
     void advance() override;
@@ -31,37 +31,37 @@ class StagedScene : public Scene {
     std::vector<std::string> failures() const override;
 
   protected:
-    // How often it notes a row for the report and has a moment worth keeping, frames; 0: never.
+    // Number of frames between rows of the report, and between recorded moments; 0: none.
     struct Pace {
         int rows;
         int moments;
     };
 
-    // @param description  as fitted to the options
+    // @param description  with the options applied
     StagedScene(const SceneDescription& description, const Pace& pace);
 
-    // What the scene does before each frame, and what it measures after it.
+    // Actions of the scene before each frame, and measurements after it.
     virtual void script() {}
     virtual void measure() {}
-    // Adds to the picture what is not on the stage, and its caption.
+    // Adds objects that are not on the stage, and the caption, to the picture.
     virtual void annotate(viewer::Picture&) const {}
     // Columns and rows of the report; by default those of the log, after the time.
     virtual std::vector<Column> reportColumns() const;
     virtual std::vector<double> reportRow() const;
-    // What the report says below its rows.
+    // Text of the report below its rows.
     virtual std::string remarks() const { return {}; }
-    // Adds what is wrong with the result, but for the ledgers of the sheets.
+    // Adds failed checks of the result, except those of the ledgers.
     virtual void check(std::vector<std::string>&) const {}
 
     Stage& stage() { return *stage_; }
     const Stage& stage() const { return *stage_; }
-    // The sheet of that place in the description.
+    // The sheet at that index of the description.
     SceneCloth& cloth(std::size_t index = 0) const { return *cloths_[index]; }
     double time() const { return time_; }  // s
     int frames() const { return frames_; }
     double duration() const { return duration_; }  // s
 
-    // Whether this frame is one of each so many, or the last.
+    // Whether this frame is the last, or its number a multiple of `framesBetween`.
     bool isDue(int framesBetween) const { return frames_ % framesBetween == 0 || finished(); }
     // "1.5 s of 30.0 s"
     std::string timeText(int digits) const;
@@ -75,14 +75,14 @@ class StagedScene : public Scene {
     std::unique_ptr<Stage> stage_;
     std::vector<SceneCloth*> cloths_;
     int frames_ = 0;
-    double time_ = 0;  // s since it began
+    double time_ = 0;  // since the start, s
     Table table_;      // for the report
 };
 
-// What a source has brought to a cloth, by the name of its account, kg.
+// Water that a source has added to a cloth, by the name of its account, kg.
 double broughtBy(const std::string& account, const WetCloth& cloth);
 
-// Adds to the list if water was made or lost.
+// Adds a failed check if water was created or lost.
 void checkLedger(std::vector<std::string>& list, const SceneCloth& cloth);
 
 }  // namespace drench::demo

@@ -46,7 +46,7 @@ void requireDrawable(const Picture& picture) {
             textOf("viewer: groundHeight is ", picture.groundHeight, " m; give a finite number"));
 }
 
-// ImGui and the caller may have left anything behind.
+// ImGui and the caller may have left any state.
 void setPlainState() {
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
@@ -76,7 +76,7 @@ class Renderer::Passes {
 
   private:
     void resize(int width, int height);
-    // Returns points that surround all that casts a shadow.
+    // Returns points that enclose everything that casts a shadow.
     std::vector<Eigen::Vector3f> upload(const Picture& picture);
     void drawShadows(const FrameUniforms& uniforms) const;
     void drawWetness(const FrameUniforms& uniforms);
@@ -112,7 +112,7 @@ std::vector<Eigen::Vector3f> Renderer::Passes::upload(const Picture& picture) {
 void Renderer::Passes::drawShadows(const FrameUniforms& uniforms) const {
     frameBlock_.bind(uniforms);
     shadow_.begin();
-    // Solids first: what lies behind one of them lets no sun through, sheet or not.
+    // Solids first: behind them there is no sunlight, with or without sheets.
     solids_.drawShadows();
     sheets_.drawShadows();
     shadow_.end();
@@ -169,7 +169,7 @@ void Renderer::Passes::present(unsigned framebuffer, const Area& area) const {
 
 void Renderer::Passes::resize(int width, int height) {
     if (!target_ || target_->width() != width || target_->height() != height) {
-        // Gives the old memory back before it asks for the new.
+        // Frees the old memory before allocating the new.
         target_.reset();
         layers_.reset();
         target_.emplace(width, height);
@@ -199,7 +199,7 @@ void Renderer::Passes::drawPair(const Picture& left, const Picture& right, int w
     const AreaPair areas = sideBySide(width, height);
     draw(left, areas.left, framebuffer);
     draw(right, areas.right, framebuffer);
-    // The line between them.
+    // The line between the pictures.
     constexpr std::array<float, 4> paleGrey{0.85f, 0.85f, 0.85f, 1.0f};
     glEnable(GL_SCISSOR_TEST);
     glScissor(areas.left.width, 0, areas.right.x - areas.left.width, height);

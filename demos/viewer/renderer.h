@@ -25,20 +25,20 @@ class Renderer {
     // sun or a sheet that picture.h does not allow, or a size that the driver cannot provide.
     void draw(const Picture& picture, int width, int height, unsigned framebuffer = 0);
 
-    // The same over an area of the framebuffer alone; text and legend are as large as fits it.
+    // The same in a part of the framebuffer; the size of text and legend is adapted to it.
     void draw(const Picture& picture, const Area& area, unsigned framebuffer = 0);
 
     // Draws two pictures side by side, with a thin line between them, over the whole of `framebuffer`; otherwise as
     // above.
     void drawPair(const Picture& left, const Picture& right, int width, int height, unsigned framebuffer = 0);
 
-    // Draws the picture off screen and returns it; throws as draw does, and also on a size below 1 x 1.
+    // Renders the picture off screen and returns it; throws as draw does, and also on a size below 1 x 1.
     Image capture(const Picture& picture, int width, int height);
 
     // The same with two pictures side by side.
     Image capturePair(const Picture& left, const Picture& right, int width, int height);
 
-    // OpenGL errors since construction, 0 when all is well.
+    // OpenGL errors since construction; 0 if there are none.
     int glErrors() const;
 
   private:

@@ -1,6 +1,6 @@
 #include "viewer/window.h"
 
-// Before glfw_window.h, so that every OpenGL function comes from libepoxy.
+// Included before glfw_window.h, so that all OpenGL functions come from libepoxy.
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <epoxy/gl.h>
@@ -61,12 +61,12 @@ std::optional<Key> meaning(int key) {
 
 void collectKey(GLFWwindow* window, int code, int, int action, int) {
     const std::optional<Key> key = meaning(code);
-    // A held step key goes on stepping; nothing else repeats.
+    // A held step key repeats; other keys do not.
     const bool counts = action == GLFW_PRESS || (action == GLFW_REPEAT && key == Key::step);
     if (key && counts) static_cast<std::vector<Key>*>(glfwGetWindowUserPointer(window))->push_back(*key);
 }
 
-// A screen of twice the usual density gets letters of twice as many pixels, not blurred ones.
+// On screens of twice the usual density letters have twice as many pixels, so that they are not blurred.
 void scaleInterface(GLFWwindow* window) {
     float density = 1.0f;
     glfwGetWindowContentScale(window, &density, nullptr);
@@ -103,7 +103,7 @@ class Window::Contents {
         glfwMakeContextCurrent(window_.handle());
         glfwSwapInterval(1);
         glfwSetWindowUserPointer(window_.handle(), &arriving_);
-        // Before the backend's, which passes every key on to the callback that it finds.
+        // Installed before the backend's callback, which forwards every key to the previous one.
         glfwSetKeyCallback(window_.handle(), collectKey);
         session_.emplace();
         backend_.emplace(*session_, window_.handle());
@@ -160,7 +160,7 @@ class Window::Contents {
         ImGui::Render();
         const auto [width, height] = framebufferSize();
         if (width < 1 || height < 1) {
-            // A minimised window does not wait for the screen, and nobody looks.
+            // A minimised window is not visible, and does not wait for the screen.
             std::this_thread::sleep_for(std::chrono::milliseconds(16));
             return;
         }

@@ -1,4 +1,4 @@
-// A window to watch a simulation in.
+// A window for watching a simulation.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace drench::viewer {
 
-// The keys a Window reports when they go down.
+// The keys that a Window reports when they are pressed.
 enum class Key {
     pause,        // space or p
     step,         // '.' or right arrow; repeats while held
@@ -29,21 +29,21 @@ enum class Key {
     close         // escape
 };
 
-// Keys that matter while they are held.
+// Keys whose held state is read.
 enum class HeldKey { h, d };
 
 // The mouse over the picture, not over ImGui's windows.
 struct Mouse {
     Ray ray;
-    // Of the pictures side by side, the one that it is over, from the left.
+    // Index of the picture under it, from the left, of several side by side.
     int column = 0;
-    // The left button: down, and whether it went down in this frame.
+    // The left button: held, and whether it was pressed in this frame.
     bool left = false;
     bool leftWentDown = false;
 };
 
 // A window with an OpenGL 3.3 core context, an ImGui context and a camera that the mouse moves. Both contexts
-// are current from construction on. Main thread only; renderers made in it must go before it does.
+// are current from construction on. Main thread only; renderers made in it must be destroyed before it.
 class Window {
   public:
     // Size in screen coordinates. Throws std::runtime_error, saying what to do, when there is no display or
@@ -63,23 +63,23 @@ class Window {
 
     // Handles input and starts an ImGui frame, after which ImGui calls may follow.
     void beginFrame();
-    // Moves the camera by the mouse of this frame: the right or middle button pans, the wheel zooms, and the
-    // left one orbits if it is free to. What goes down over ImGui's windows counts for those.
+    // Moves the camera by the mouse input of this frame: the right or middle button pans, the wheel zooms,
+    // and the left button orbits if it is free. Buttons pressed over ImGui's windows are ignored.
     void moveCamera(bool leftOrbits);
     // Draws ImGui over framebuffer 0 and shows the result, waiting for the screen.
     void endFrame();
 
-    // The keys pressed between the last two beginFrame calls, in order, without those typed into ImGui.
+    // The keys pressed between the last two beginFrame calls, in order, except those typed into ImGui.
     const std::vector<Key>& keys() const;
-    // Whether a key is held now; false while the window has lost the focus or text is typed.
+    // Whether a key is held now; false while the window does not have the focus or text is being typed.
     bool isHeld(HeldKey key) const;
-    // Where the mouse is over one of so many pictures of equal width side by side; none while it is over
-    // ImGui's windows or the focus is lost. A button that is held stays with the pictures wherever it is
-    // moved.
+    // Position of the mouse over one of `columns` pictures of equal width side by side; none while it is
+    // over ImGui's windows or the window does not have the focus. While a button is held, it stays assigned
+    // to the pictures wherever the mouse moves.
     std::optional<Mouse> mouse(int columns = 1) const;
-    // What OpenGL draws with, as the driver names it.
+    // Name of the OpenGL driver.
     std::string rendererName() const;
-    // The camera that the mouse moves; set it to look elsewhere.
+    // The camera that the mouse moves; may be set.
     Camera& camera();
     // Size of framebuffer 0 in pixels; 0 while the window is minimised, which Renderer::draw accepts.
     int framebufferWidth() const;

@@ -16,7 +16,7 @@ namespace drench::demo {
 
 namespace {
 
-// With the fabric that suits it, unless the user has chosen one.
+// With its default fabric, unless the user has chosen one.
 void chooseScene(PanelState& state, const SceneEntry& entry) {
     state.scene = entry.name;
     state.described.reset();
@@ -56,7 +56,7 @@ bool pickFabric(PanelState& state) {
     return changed;
 }
 
-// @return whether the user has let go of another value than there was
+// @return whether the user has released the slider at a different value
 bool pickCount(const char* name, int& value, int min, int max, const char* noneName) {
     ImGui::SliderInt(name, &value, 0, max, value == 0 ? noneName : "%d", ImGuiSliderFlags_AlwaysClamp);
     if (value > 0) value = std::max(value, min);
@@ -113,7 +113,7 @@ bool showRunning(const FrameState& now, Simulation& simulation) {
     return restart;
 }
 
-// Which scene, fabric and solver, and how it runs. @return whether the scene is to begin anew
+// Scene, fabric, solver and speed. @return whether the scene must be restarted
 bool showSceneGroup(const FrameState& now, PanelState& state, Simulation& simulation) {
     bool restart = showRunning(now, simulation);
     if (!ImGui::CollapsingHeader("scene", ImGuiTreeNodeFlags_DefaultOpen)) return restart;
@@ -154,7 +154,7 @@ void pourWater(Simulation& simulation) {
         });
 }
 
-// The steps of the experiment: dry, and tenths of saturation.
+// Buttons for the steps of the experiment: dry, and tenths of saturation.
 void showWettingRow(PanelState& state, Simulation& simulation) {
     ImGui::TextUnformatted("tenths of what the pores hold:");
     for (int tenths = 0; tenths <= 10; ++tenths) {
@@ -171,7 +171,7 @@ void showWettingRow(PanelState& state, Simulation& simulation) {
 void showWeatherGroup(const FrameState& now, PanelState& state, Simulation& simulation) {
     if (!ImGui::CollapsingHeader("weather", ImGuiTreeNodeFlags_DefaultOpen)) return;
     if (!now.weather) return ImGui::TextDisabled("this scene makes its own");
-    // While the user drags a slider, what comes from the simulation is a little behind.
+    // While the user drags a slider, the values of the simulation are slightly delayed.
     if (!ImGui::IsAnyItemActive()) state.weather = *now.weather;
     Weather& shown = state.weather;
     changeWeather("temperature", shown, &Weather::temperature, 0, 60, "%.0f °C", simulation);
@@ -181,7 +181,7 @@ void showWeatherGroup(const FrameState& now, PanelState& state, Simulation& simu
     changeWeather("rain", shown, &Weather::rain, 0, 100, "%.0f mm/h", simulation);
 }
 
-// The speed of water, and water at a stroke.
+// The speed of water, and buttons that add or remove water.
 void showWaterGroup(const FrameState& now, PanelState& state, Simulation& simulation) {
     if (!ImGui::CollapsingHeader("water", ImGuiTreeNodeFlags_DefaultOpen)) return;
     changeWaterSpeed(now, state, simulation);
@@ -189,7 +189,7 @@ void showWaterGroup(const FrameState& now, PanelState& state, Simulation& simula
     pourWater(simulation);
 }
 
-// What the left mouse button does to cloth.
+// The action of the left mouse button on cloth.
 void showToolGroup(PanelState& state) {
     if (!ImGui::CollapsingHeader("mouse, left button on cloth", ImGuiTreeNodeFlags_DefaultOpen)) return;
     const auto choose = [&](const char* name, Tool tool) {
@@ -202,7 +202,7 @@ void showToolGroup(PanelState& state) {
     choose("towel (D)", Tool::towel);
 }
 
-// What the picture shows of the sheets. @return whether the scene is to begin anew
+// The view of the sheets. @return whether the scene must be restarted
 bool showViewGroup(PanelState& state, Simulation& simulation) {
     if (!ImGui::CollapsingHeader("view", ImGuiTreeNodeFlags_DefaultOpen)) return false;
     constexpr const char* names[] = {"beauty", "water content", "film", "strain"};
@@ -220,7 +220,7 @@ void editName(std::string& file) {
     if (ImGui::InputText("file", text.data(), text.size())) file = text.data();
 }
 
-// @return whether there is a scene to begin
+// @return whether there is a scene to start
 bool load(PanelState& state) {
     try {
         state.described = loadScene(state.file);
@@ -240,7 +240,7 @@ bool load(PanelState& state) {
     return true;
 }
 
-// Saves the scene to a file, or loads one. @return whether the scene is to begin anew
+// Saves the scene to a file, or loads one. @return whether the scene must be restarted
 bool showFileGroup(PanelState& state, Simulation& simulation) {
     if (!ImGui::CollapsingHeader("scene file")) return false;
     editName(state.file);
@@ -279,7 +279,7 @@ ImVec2 middle() {
     return {screen.x / 2, screen.y / 2};
 }
 
-// Keys and mouse, in a window of its own, which the user may close.
+// Keys and mouse, in a separate window, which the user may close.
 void showHelp(bool& shown) {
     ImGui::SetNextWindowPos(middle(), ImGuiCond_Appearing, {0.5f, 0.5f});
     if (ImGui::Begin("keys and mouse", &shown,
@@ -292,7 +292,7 @@ void showHelp(bool& shown) {
     ImGui::End();
 }
 
-// What went wrong, in a window of its own. @return whether the scene is to begin anew
+// Errors, in a separate window. @return whether the scene must be restarted
 bool showTrouble(const std::string& trouble) {
     bool restart = false;
     ImGui::SetNextWindowPos(middle(), ImGuiCond_Appearing, {0.5f, 0.5f});
@@ -314,7 +314,7 @@ bool Panel::show(const FrameState& now, PanelState& state, Simulation& simulatio
     if (state.helpShown) showHelp(state.helpShown);
     if (!state.shown) return restart;
 
-    // In widths of a letter, which is larger on a screen of many pixels.
+    // In widths of a letter, which has more pixels on high-resolution screens.
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float letter = ImGui::GetFontSize();
     const float top = 7 * letter, margin = 0.8f * letter, width = 23 * letter;

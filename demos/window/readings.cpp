@@ -13,7 +13,7 @@ constexpr std::size_t waterSamples = 300;  // a minute
 constexpr std::size_t timeSamples = 240;   // frames
 constexpr std::size_t averagedFrames = 30;
 
-// Whether nothing but the processor draws.
+// Whether OpenGL is rendered in software.
 bool isSoftware(const std::string& renderer) {
     for (const char* const name : {"llvmpipe", "softpipe", "SWR", "Software Rasterizer", "swrast"})
         if (renderer.find(name) != std::string::npos) return true;

@@ -1,4 +1,4 @@
-// What a simulation says in numbers and plots.
+// Values and plots of a simulation.
 #pragma once
 
 #include <string>
@@ -8,24 +8,24 @@
 
 namespace drench::demo {
 
-// Rates, plots of water and times, and the sheets, within ImGui windows.
+// Frame rates, plots of water and computing times, and a list of the sheets, within ImGui windows.
 class Readings {
   public:
-    // @param renderer  what OpenGL draws with, as the driver names it
+    // @param renderer  name of the OpenGL driver
     explicit Readings(const std::string& renderer);
 
-    // Takes in the newest frame, for the plots.
+    // Reads the newest frame, for the plots.
     void note(const FrameState& now);
     void show(const FrameState& now, const std::string& notice) const;
-    // Notes how long the last picture took to draw, s.
+    // Registers the time for drawing the last picture, s.
     void noteDrawTime(double seconds) { drawTime_ = seconds; }
 
   private:
     std::string renderer_;
     double drawTime_ = 0;  // s
-    int run_ = 0;          // that the plots are of
-    int frame_ = -1;       // newest of the plots
-    double sampled_ = 0;   // s of the run, when the newest sample of the water was taken
+    int run_ = 0;          // run of the plotted values
+    int frame_ = -1;       // newest plotted frame
+    double sampled_ = 0;   // simulated time of the newest water sample, s
     StackedPlot water_;
     StackedPlot times_;
 };

@@ -1,4 +1,4 @@
-// Quantities that add up to a whole, over time.
+// Plot of quantities that add up to a total, over time.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace drench::demo {
 
-// Layers on top of each other, as they were in the last so many samples, drawn within an ImGui window.
+// Stacked layers of the last samples, drawn within an ImGui window.
 class StackedPlot {
   public:
     // One of the quantities.
@@ -17,16 +17,16 @@ class StackedPlot {
         std::array<float, 3> colour;  // sRGB, 0 to 1
     };
 
-    // @param unit    after the numbers
-    // @param format  of the numbers, for printf
+    // @param unit    after the values
+    // @param format  of the values, for printf
     StackedPlot(std::vector<Layer> layers, std::size_t maxSamples, std::string unit, std::string format);
 
-    // Adds a value of each layer, at least 0; the oldest goes once there are enough.
+    // Adds one value per layer, at least 0; the oldest sample is removed if there are too many.
     void add(const std::vector<double>& values);
-    // Forgets all samples.
+    // Removes all samples.
     void clear() { samples_.clear(); }
-    // Draws the plot over the width of the window, and below it each layer's name and newest value, or its
-    // mean over the last `averaged` samples.
+    // Draws the plot over the width of the window, and below it the name of each layer with its newest value,
+    // or the mean of the last `averaged` samples.
     void draw(float height, std::size_t averaged = 1) const;
 
   private:

@@ -16,7 +16,7 @@ namespace drench::demo {
 
 namespace {
 
-// The first of "NAME-1.ENDING", "NAME-2.ENDING" ... that is not there yet.
+// The first of "NAME-1.ENDING", "NAME-2.ENDING" ... that does not exist yet.
 std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& name,
                                const std::string& ending) {
     std::filesystem::path file;
@@ -116,7 +116,7 @@ void WindowRun::see() {
     stepBack(wasSplit && !isNew, isSplit);
 }
 
-// Half a window is half as wide, and the scene should still be in it.
+// Half a window is half as wide, so the camera moves back to keep the scene visible.
 void WindowRun::stepBack(bool wasSplit, bool isSplit) {
     constexpr float farther = 1.7f;
     if (isSplit && !wasSplit) window_.camera().distance *= farther;
@@ -169,7 +169,7 @@ void WindowRun::restart() {
     simulation_.restart(requestOf(state_));
 }
 
-// The left button takes hold of cloth where there is some, and else of the camera.
+// The left button grabs cloth where there is some, and moves the camera elsewhere.
 void WindowRun::useMouse() {
     const bool split = latest_ && latest_->dryPicture;
     const auto mouse = window_.mouse(split ? 2 : 1);
@@ -276,7 +276,7 @@ std::filesystem::path WindowRun::pictureFolder() const {
     return options_.frames.empty() ? "." : options_.frames;
 }
 
-// A full disk ends no simulation.
+// A full disk does not stop a simulation.
 void WindowRun::write(const std::filesystem::path& file, const viewer::Image& image) {
     try {
         writePng(file, image);

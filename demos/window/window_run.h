@@ -1,4 +1,4 @@
-// A scene in a window.
+// Runs a scene in a window.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@
 
 namespace drench::demo {
 
-// Counts the pictures of a window, for the line that --timings asks for.
+// Counts the pictures of a window, for the output of --timings.
 class PictureCount {
   public:
     using Clock = std::chrono::steady_clock;
@@ -24,9 +24,9 @@ class PictureCount {
     // @param start  of the program
     explicit PictureCount(Clock::time_point start) : start_(start) {}
 
-    // Notes that a picture is on the screen.
+    // Registers that a picture is on the screen.
     void note();
-    // Writes when the first picture came, and how many there were a second after that.
+    // Writes when the first picture appeared, and the frame rate after that.
     void report(std::ostream& out) const;
 
   private:
@@ -36,15 +36,15 @@ class PictureCount {
     int count_ = 0;
 };
 
-// Shows a simulation, which runs by itself, and hands it what the user wants. The scene is looked at as it
-// was last seen; drawing never makes it wait but for pictures and films that are to be kept whole.
+// Shows a simulation, which runs on its own thread, and passes user input to it. It draws the latest frame
+// state; drawing delays the simulation only for pictures and videos that must be complete.
 class WindowRun {
   public:
-    // Opens the window. @throws std::runtime_error where that cannot be
+    // Opens the window. @throws std::runtime_error if that fails
     explicit WindowRun(const RunOptions& options);
 
-    // Goes on until the window is closed. @return the exit status: 0, 1 after OpenGL errors, or 2 where a
-    // film or the scene has failed
+    // Runs until the window is closed. @return the exit status: 0, 1 after OpenGL errors, or 2 if a video or
+    // the scene has failed
     int loop();
 
   private:
@@ -75,9 +75,9 @@ class WindowRun {
     viewer::Renderer renderer_;
     Panel panel_;
     PictureCount pictures_;
-    std::shared_ptr<const FrameState> latest_;  // the newest that was seen
-    std::string cameraOf_;                      // the scene that chose the camera
-    bool onCloth_ = false;                      // where the left button went down
+    std::shared_ptr<const FrameState> latest_;  // the latest one
+    std::string cameraOf_;                      // scene for which the camera was set
+    bool onCloth_ = false;                      // whether the left button was pressed on cloth
     std::unique_ptr<Recorder> film_;
     std::filesystem::path filmFile_;
     bool filmLost_ = false;

@@ -1,4 +1,4 @@
-// Angles, for scenes and what they measure.
+// Conversions of angles.
 #pragma once
 
 #include "cloth/constants.h"

@@ -10,7 +10,7 @@ BulletWorld::BulletWorld(btSoftBodySolver* solver)
       world_(&dispatcher_, &broadphase_, &constraintSolver_, &configuration_, solver) {
     const btVector3 gravity(0, btScalar(-9.81), 0);
     world_.setGravity(gravity);
-    world_.getWorldInfo().m_gravity = gravity;  // soft bodies have their own
+    world_.getWorldInfo().m_gravity = gravity;  // soft bodies use this copy
 }
 
 int BulletWorld::substepsFor(double frameTime, double stepBound, int max) const {
@@ -18,7 +18,7 @@ int BulletWorld::substepsFor(double frameTime, double stepBound, int max) const 
 }
 
 void BulletWorld::damp(btSoftBody& sheet, double rate, double substep) const {
-    sheet.m_cfg.kDP = btScalar(rate * substep);  // a share per substep
+    sheet.m_cfg.kDP = btScalar(rate * substep);  // fraction per substep
 }
 
 std::string BulletWorld::stepsName() const {

@@ -1,4 +1,4 @@
-// Bullet's plain world for soft bodies, with its own solver or Drench's.
+// Bullet's soft-rigid world, with the stock solver or Drench's.
 #pragma once
 
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
@@ -9,10 +9,10 @@
 
 namespace drench::demo {
 
-// As Bullet solves it, or a solver that is given.
+// A soft-rigid world with the stock solver or a given one.
 class BulletWorld : public SceneWorld {
   public:
-    // @param solver  of the soft bodies, which must outlive this; none: Bullet's own
+    // @param solver  of the soft bodies; must outlive this; null: the stock solver
     explicit BulletWorld(btSoftBodySolver* solver = nullptr);
 
     btSoftRigidDynamicsWorld& world() override { return world_; }
@@ -32,21 +32,21 @@ class BulletWorld : public SceneWorld {
     btSoftRigidDynamicsWorld world_;
 };
 
-// A solver that is there before the world, and after it.
+// Base class, so that the solver is made before the world and destroyed after it.
 class OwnSolver {
   protected:
     explicit OwnSolver(const SmallStepSettings& settings) : solver_(settings) {}
     SmallStepSolver solver_;
 };
 
-// With Drench's solver for its sheets.
+// With a SmallStepSolver.
 class SmallStepWorld final : private OwnSolver, public BulletWorld {
   public:
     explicit SmallStepWorld(const SmallStepSettings& settings) : OwnSolver(settings), BulletWorld(&solver_) {}
 
-    // One: the solver divides it as it needs to.
+    // One substep: the solver divides it into small steps.
     int substepsFor(double, double, int) const override { return 1; }
-    // The solver takes kDP as a rate.
+    // The solver uses kDP as a rate.
     void damp(btSoftBody& sheet, double rate, double) const override { sheet.m_cfg.kDP = btScalar(rate); }
     int smallSteps() const override { return solver_.steps(); }
     std::string stepsName() const override { return "Small steps per frame of 1/60 s, in one substep"; }

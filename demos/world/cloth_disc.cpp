@@ -16,7 +16,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// Sine of the smallest angle, below 0 for a triangle that lies on its face.
+// Sine of the smallest angle of a triangle; negative if it is flipped.
 double quality(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
     const double doubledArea = cross(b - a, c - a);
     const double edges[] = {(b - a).norm(), (c - b).norm(), (a - c).norm()};
@@ -25,7 +25,7 @@ double quality(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::
     return product > 0 ? doubledArea * shortest / product : -1;
 }
 
-// The part of a square grid that lies well within a circle.
+// The part of a square grid that lies inside a circle with some distance.
 class Grid {
   public:
     Grid(DiscMesh& mesh, double cell, double radius) : mesh_(mesh), cell_(cell), radius_(radius) {
@@ -47,7 +47,7 @@ class Grid {
         return found->second;
     }
 
-    // Half a cell where one corner is outside.
+    // Half a cell if one corner is outside.
     void addCell(int i, int j) {
         const std::array<int, 4> corners{node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)};
         const auto outside = std::count(corners.begin(), corners.end(), -1);
@@ -55,7 +55,7 @@ class Grid {
         if (outside == 0) {
             mesh_.triangles.push_back({corners[0], corners[1], corners[2]});
             mesh_.triangles.push_back({corners[0], corners[2], corners[3]});
-            mesh_.links.push_back({corners[1], corners[3]});  // the diagonal that is no edge
+            mesh_.links.push_back({corners[1], corners[3]});  // the diagonal that is not an edge
             return;
         }
         std::array<int, 3> triangle;
@@ -70,7 +70,7 @@ class Grid {
     std::map<std::array<int, 2>, int> index_;
 };
 
-// Drops nodes that no triangle has.
+// Removes unreferenced nodes.
 void dropLoneNodes(DiscMesh& mesh) {
     std::vector<int> newIndex(mesh.nodes.size(), -1);
     std::vector<Eigen::Vector2d> kept;
@@ -102,7 +102,7 @@ std::vector<int> borderOf(const DiscMesh& mesh) {
     return loop;
 }
 
-// Nodes evenly along the circle, the first at an angle in rad.
+// Nodes at equal distances along the circle, the first at an angle in rad.
 std::vector<int> addRing(DiscMesh& mesh, double radius, int count, double firstAngle) {
     std::vector<int> ring;
     for (int i = 0; i < count; ++i) {
@@ -113,8 +113,8 @@ std::vector<int> addRing(DiscMesh& mesh, double radius, int count, double firstA
     return ring;
 }
 
-// Fills the strip between two loops with triangles: of all ways to go round, that in which the sum of the sides
-// across is the shortest and no triangle is thin.
+// Fills the strip between two loops with triangles, such that the sum of the lengths of the connecting edges
+// is smallest and no triangle is too thin.
 class Strip {
   public:
     Strip(DiscMesh& mesh, const std::vector<int>& inner, const std::vector<int>& outer)
@@ -198,7 +198,8 @@ std::unique_ptr<btSoftBody> makeDisc(btSoftBodyWorldInfo& worldInfo, const Fabri
     std::vector<double> masses(mesh.nodes.size(), 0);
     double area = 0;
     for (const auto& triangle : mesh.triangles) {
-        body->appendFace(triangle[0], triangle[2], triangle[1]);  // y is up, so that x to z turns clockwise
+        body->appendFace(triangle[0], triangle[2],
+                         triangle[1]);  // clockwise from above, because y is up
         const Eigen::Vector2d& origin = mesh.nodes[std::size_t(triangle[0])];
         const double faceArea = cross(mesh.nodes[std::size_t(triangle[1])] - origin,
                                       mesh.nodes[std::size_t(triangle[2])] - origin) /

@@ -18,15 +18,16 @@ struct DiscMesh {
     std::vector<std::array<int, 2>> links;
 };
 
-// A grid along warp and weft with both diagonals of each cell as links, since only such links are stiff along the
-// threads and soft in shear as woven cloth is; a mesh of equilateral triangles hardly shears. Its
-// border is moved out to nodes on the circle; so are the nodes nearest to a second circle within.
+// A grid along warp and weft with links along both diagonals of each cell, because only such links are stiff
+// along the threads and soft in shear, as woven cloth is; a mesh of equilateral triangles is much stiffer in
+// shear. The border nodes of the grid are moved to the circle, and the nodes nearest to a second circle are
+// moved to that one.
 // @param nodesAcross  along a diameter
 // @param innerRadius  of the second circle, m
 DiscMesh discMesh(double radius, int nodesAcross, double innerRadius);
 
-// The disc, level with its centre at a point, the warp along x. Masses, friction and voxel size are set as
-// makeSheet sets them.
+// The disc, horizontal, with its centre at a position and the warp along x. Masses, friction and voxel size
+// are as in makeSheet.
 std::unique_ptr<btSoftBody> makeDisc(btSoftBodyWorldInfo& worldInfo, const Fabric& fabric,
                                      const DiscMesh& mesh, const btVector3& centre);
 

@@ -26,7 +26,7 @@ int DeformableWorld::substepsFor(double frameTime, double stepBound, int) const 
 }
 
 void DeformableWorld::damp(btSoftBody& sheet, double rate, double substep) const {
-    sheet.m_cfg.drag = btScalar(rate * substep);  // kDP plays no part here
+    sheet.m_cfg.drag = btScalar(rate * substep);  // this world ignores kDP
 }
 
 std::string DeformableWorld::stepsName() const {

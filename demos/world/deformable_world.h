@@ -14,7 +14,7 @@
 
 namespace drench::demo {
 
-// In explicit steps, which stay sound where cloth touches something.
+// In explicit steps, which are stable in contact.
 class DeformableWorld final : public SceneWorld {
   public:
     DeformableWorld();
@@ -27,7 +27,7 @@ class DeformableWorld final : public SceneWorld {
     void addSoftBody(btSoftBody& body) override;
     void removeSoftBody(btSoftBody& body) override { world_->removeSoftBody(&body); }
 
-    // As many as the bound asks for, also beyond `most`: with fewer the sheet blows up.
+    // As many as the bound requires, even above `max`, because longer steps are unstable.
     int substepsFor(double frameTime, double stepBound, int max) const override;
     void damp(btSoftBody& sheet, double rate, double substep) const override;
     std::string stepsName() const override;

@@ -1,4 +1,4 @@
-// The worlds that scenes run in, and what they share.
+// Worlds for scenes, and their common functions.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
@@ -13,7 +13,7 @@
 
 namespace drench::demo {
 
-// A world as an application would set one up; owns the rigid bodies in it. Gravity is 9.81 m/s2 downwards (-y).
+// A world as an application would make it; owns its rigid bodies. Gravity is 9.81 m/s2 downwards (-y).
 class SceneWorld {
   public:
     virtual ~SceneWorld() = default;
@@ -25,29 +25,29 @@ class SceneWorld {
     virtual void addSoftBody(btSoftBody& body) = 0;
     virtual void removeSoftBody(btSoftBody& body) = 0;
 
-    // Substeps that a frame needs for sheets with this step bound (WetCloth::stepBound), s; `most` where fewer
-    // would only make links softer.
+    // Number of substeps that a frame needs for sheets with this step bound (WetCloth::stepBound), s; at most
+    // `max` if longer substeps would only make links softer.
     virtual int substepsFor(double frameTime, double stepBound, int max) const = 0;
-    // Has a sheet lose its velocity at a rate, 1/s, in substeps of so many seconds.
+    // Sets the decay rate of a sheet's velocity, 1/s, for substeps of the given length, s.
     virtual void damp(btSoftBody& sheet, double rate, double substep) const = 0;
-    // Small steps that the solver made of the last substep; 0 where it makes none.
+    // Number of small steps of the last substep; 0 without a SmallStepSolver.
     virtual int smallSteps() const { return 0; }
-    // Steps in which the sheets moved in the last frame, which had so many substeps.
+    // Number of steps of the sheets in the last frame, for the given number of substeps.
     int stepsOfFrame(int substeps) const { return smallSteps() > 0 ? smallSteps() : substeps; }
-    // What the steps of a frame are, for a report: "Substeps per frame ...".
+    // Description of the steps of a frame, for a report: "Substeps per frame ...".
     virtual std::string stepsName() const = 0;
 
-    // Level ground at a height: the top of a box, since soft bodies float above a plane shape.
+    // Horizontal ground: the top of a box, because soft bodies float above plane shapes.
     btRigidBody& addGround(double height);
 
-    // A ball; it stays where it is if its mass is 0.
+    // A ball; static if its mass is 0.
     btRigidBody& addBall(const btVector3& centre, double radius, double mass);
 
-    // A box, along the axes of the world or turned; it stays where it is if its mass is 0.
+    // A box, axis-aligned or rotated; static if its mass is 0.
     btRigidBody& addBox(const btVector3& centre, const btVector3& halfExtents,
                         const btQuaternion& turn = btQuaternion::getIdentity(), double mass = 0);
 
-    // A rod with round ends along its own y axis; it stays where it is if its mass is 0.
+    // A capsule along its own y axis; static if its mass is 0.
     // @param length  between the centres of its ends, m
     btRigidBody& addCapsule(const btVector3& centre, double radius, double length, const btQuaternion& turn,
                             double mass = 0);
@@ -61,15 +61,15 @@ class SceneWorld {
   private:
     btRigidBody& add(std::unique_ptr<btCollisionShape> shape, const btTransform& transform, double mass);
 
-    // They outlive the world, which is a member of the classes derived from this.
+    // Rigid bodies, which outlive the world in the derived classes.
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 
-// Of a body's stretch and shear links, the mean of |length / rest length - 1|.
+// Mean |length / rest length - 1| of the stretch and shear links of a body.
 double meanStrain(const btSoftBody& body);
 
-// An empty world. @param solver, steps  count in a soft-rigid world only
+// An empty world. @param solver, steps  used only in a soft-rigid world
 std::unique_ptr<SceneWorld> makeWorld(WorldKind kind, SolverKind solver, const SmallStepSettings& steps = {});
 
 }  // namespace drench::demo

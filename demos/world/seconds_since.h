@@ -1,11 +1,11 @@
-// How long something took.
+// Measures wall time.
 #pragma once
 
 #include <chrono>
 
 namespace drench::demo {
 
-// Wall time since a moment, s.
+// Wall time since a time point, s.
 inline double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

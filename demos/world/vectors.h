@@ -1,4 +1,4 @@
-// Vectors and turns between Bullet, descriptions and pictures.
+// Conversions of vectors and rotations between Bullet, descriptions and pictures.
 #pragma once
 
 #include <LinearMath/btQuaternion.h>
@@ -12,7 +12,7 @@ namespace drench::demo {
 using drench::toBullet;
 using drench::toEigen;
 
-// As pictures have it.
+// As an Eigen vector for pictures.
 inline Eigen::Vector3f pictureVector(const btVector3& v) {
     return {float(v.x()), float(v.y()), float(v.z())};
 }

@@ -1,4 +1,4 @@
-// Which worlds and solvers there are.
+// Kinds of worlds and solvers.
 #pragma once
 
 namespace drench::demo {
@@ -6,7 +6,7 @@ namespace drench::demo {
 // Bullet's worlds for soft bodies.
 enum class WorldKind { softRigid, deformable };
 
-// What moves the sheets of a soft-rigid world; the deformable one has its own solver.
+// Solvers of the sheets in a soft-rigid world; the deformable world has its own.
 enum class SolverKind { smallStep, stock };
 
 }  // namespace drench::demo

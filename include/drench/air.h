@@ -19,9 +19,9 @@ struct Air {
     /// default 1.
     double vapourExchange = 1;
 
-    /// Wind that varies in space and time, such as `Gusts`; its velocity is added to `wind`. Default none.
+    /// Wind that varies in space and time, such as `Gusts`; its velocity is added to `wind`; default none.
     /// Its time is the body's time since its WetCloth was made. It is evaluated at up to 6 x 6 x 6 points around
-    /// the sheet and interpolated between them. Sheets may share one.
+    /// the sheet and interpolated between them. Several sheets may share one field.
     std::shared_ptr<const WindField> field = nullptr;
 
     /// Length of the wind shadow behind a solid body, m; 0 (no shelter) to 1000; default 0. A few times the body's

@@ -14,7 +14,7 @@ class DRENCH_API Brush final : public Source {
   public:
     Eigen::Vector3d centre;  ///< m
     double radius;           ///< m; 1e-4 to 100
-    double rate;  ///< at the centre, kg/(s m2) per area of cloth; 0 to 1000; falls to 0 at the radius
+    double rate;  ///< water at the centre, kg/s per m2 of cloth; 0 to 1000; falls to 0 at the radius
 
     /// First values of `centre`, `radius` and `rate`.
     Brush(const Eigen::Vector3d& initialCentre, double initialRadius, double initialRate)

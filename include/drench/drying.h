@@ -9,7 +9,7 @@ namespace drench {
 
 /// Evaporation from a sheet that is wet on both faces.
 struct Evaporation {
-    double rate;                ///< from both faces together, kg/(s m2) per area of cloth; at least 0
+    double rate;                ///< of both faces together, kg/s per m2 of cloth; at least 0
     double surfaceTemperature;  ///< of the wet cloth, degrees Celsius; close to the wet-bulb temperature
     double heatTransfer;        ///< convective heat transfer coefficient h_c, W/(m2 K)
 };

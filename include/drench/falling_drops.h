@@ -15,9 +15,10 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-/// Simulates the drops of a group of sheets in free fall, without drag. A sheet on which drops land gets their water
-/// and momentum, in its account "drops". With a `SheetSettings::waterSpeed` above 1 more drops fall, and their momentum
-/// is divided by it. Optional: an application may draw the drops of `WetCloth::takeDrops` itself, or ignore them.
+/// Simulates the drops of a group of sheets in free fall, without drag. A sheet on which drops land gets their water,
+/// in its ledger account "drops", and their momentum. With a `SheetSettings::waterSpeed` above 1 more drops fall, and
+/// their momentum is divided by it. Optional: an application may draw the drops of `WetCloth::takeDrops` itself, or
+/// ignore them.
 class DRENCH_API FallingDrops {
   public:
     /// Drops that fall together, as one.

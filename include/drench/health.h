@@ -8,16 +8,16 @@
 
 namespace drench {
 
-/// Computing times of the steps of one sheet, totals since its WetCloth was made, s of a steady clock. The time of a
-/// frame is the difference of two of these. Measuring takes about a microsecond per substep. Time that the sheets of a
-/// world spend together is divided equally among them.
+/// Computing times of the steps of one sheet, totals since its WetCloth was made, s of a steady clock. To get the time
+/// of a frame, subtract the totals before it from those after it. Measuring takes about a microsecond per substep.
+/// Time spent on all sheets of a world together is divided equally among them.
 struct StepTimes {
-    double supply = 0;          ///< sources
-    double water = 0;           ///< evaporation, absorption, wicking, film flow, dripping
-    double laws = 0;            ///< masses and stiffness, computed from the water
-    double air = 0;             ///< wind at the nodes, forces of air and pools
-    double contacts = 0;        ///< with solids and sheets; without small steps only friction and cling
-    double solver = 0;          ///< links, bending and motion in small steps; 0 without a SmallStepSolver
+    double supply = 0;    ///< sources
+    double water = 0;     ///< evaporation, absorption, wicking, film flow, dripping
+    double laws = 0;      ///< masses and stiffness, computed from the water
+    double air = 0;       ///< wind at the nodes, forces of air and pools
+    double contacts = 0;  ///< with solids and sheets; without a SmallStepSolver only friction and adhesion
+    double solver = 0;    ///< links, bending and motion in small steps; 0 without a SmallStepSolver
     std::int64_t substeps = 0;  ///< number of Bullet's substeps
 };
 
@@ -50,18 +50,19 @@ enum class Trouble {
     gravity,
     /// A setting in the body's m_cfg, or its rest length scale, was out of range: it was set to Bullet's default.
     bodySetting,
-    /// `WetCloth::air` was out of range, or its wind field was, or threw: the last valid air was used.
+    /// `WetCloth::air` was out of range, or its wind field returned an invalid velocity or threw an exception: the
+    /// last valid air was used.
     air,
-    /// A source threw: its turn ended there; what it had brought before stays.
+    /// A source threw an exception: that call of `supply` ended; the water that it had already added stays.
     source,
     /// The body's nodes, links or faces changed to something that is not a valid cloth: Drench no longer simulates the
     /// body, and its water is frozen.
     topology
 };
 
-/// All occurrences of one kind of trouble, since the WetCloth was made or `WetCloth::clearTroubles` was called.
+/// All occurrences of one kind of problem since the WetCloth was made or `WetCloth::clearTroubles` was called.
 struct TroubleReport {
-    Trouble what;         ///< kind
+    Trouble what;         ///< kind of problem
     std::string message;  ///< latest occurrence: what, where, and how to prevent it
     int node;             ///< latest occurrence: its node, the first of several; -1 if not tied to a node
     double value;         ///< latest occurrence: the invalid value; 0 if there is none

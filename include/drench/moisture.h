@@ -19,19 +19,19 @@ class StatePass;
 /// Total water of one source, kg.
 struct Account {
     std::string name;     ///< of the source; "application" for water that the application added itself
-    double supplied = 0;  ///< brought
-    double returned = 0;  ///< taken back, as a pool, a wet body or another sheet does
+    double supplied = 0;  ///< added to the sheet
+    double returned = 0;  ///< taken from the sheet again, by a pool, a wet body or another sheet
 };
 
 /// Water balance of one sheet: totals since it was made, kg.
 /// supplied = held + dripped + evaporated + returned, to rounding (see `imbalance`).
 struct Ledger {
-    double supplied = 0;            ///< brought by all sources, humid air among them
-    double held = 0;                ///< in pores and film now
+    double supplied = 0;            ///< added by all sources, including humid air
+    double held = 0;                ///< now in pores and film
     double dripped = 0;             ///< fallen off in drops
     double evaporated = 0;          ///< lost to the air
-    double returned = 0;            ///< taken back by sources
-    std::vector<Account> accounts;  ///< one for each name of a source, removed sources included
+    double returned = 0;            ///< taken from the sheet again by sources
+    std::vector<Account> accounts;  ///< one for each name of a source, including removed sources
 
     /// supplied - held - dripped - evaporated - returned, kg; a few rounding errors of `supplied`.
     double imbalance() const { return supplied - held - dripped - evaporated - returned; }
@@ -42,8 +42,8 @@ struct Surroundings {
     /// Height of each node, m; only differences matter. Empty, the default: all equal, nothing runs or drips.
     std::vector<float> heights;
     double gravity = 0;  ///< m/s2; at least 0; default 0
-    /// Evaporation of a sheet that is wet on both faces, kg/(m2 s); at least 0. 0, the default: no exchange with the
-    /// air, in either direction.
+    /// Evaporation of a sheet that is wet on both faces, kg/(m2 s); at least 0. 0 (default): no exchange with the air,
+    /// in either direction.
     double dryingRate = 0;
     double humidity =
         0.65;  ///< relative humidity of the air; 0 to below 1; default 0.65; used with a drying rate
@@ -65,8 +65,10 @@ class DRENCH_API Moisture {
     /// @throws std::invalid_argument for a fabric or mesh that `validate` refuses
     Moisture(const Fabric& fabric, const ClothMesh& mesh);
     ~Moisture();
-    Moisture(Moisture&&) noexcept;             ///< The other may then only be destroyed or assigned to.
-    Moisture& operator=(Moisture&&) noexcept;  ///< The other may then only be destroyed or assigned to.
+    /// Moves; the other object may then only be destroyed or assigned to.
+    Moisture(Moisture&&) noexcept;
+    /// Moves; the other object may then only be destroyed or assigned to.
+    Moisture& operator=(Moisture&&) noexcept;
     Moisture(const Moisture&) = delete;
     Moisture& operator=(const Moisture&) = delete;
 
@@ -87,17 +89,17 @@ class DRENCH_API Moisture {
     double takeFilm(std::size_t node, double mass, std::size_t account = 0);
     /// Takes up to `mass` kg from the pores of a node. Otherwise as `addFilm`. @return the mass taken, kg
     double takePores(std::size_t node, double mass, std::size_t account = 0);
-    /// Covers a share of a node's faces, 0 to 1, during the next step: that share does not dry, and a node that is
-    /// covered completely does not drip. Several shares of one node add up, to at most 1.
-    /// @throws std::out_of_range for the node, std::invalid_argument for the share
+    /// Covers a fraction of a node's faces, 0 to 1, during the next step: that part does not dry, and a node that is
+    /// covered completely does not drip. Several fractions of one node add up, to at most 1.
+    /// @throws std::out_of_range for the node, std::invalid_argument for the fraction
     void cover(std::size_t node, double fraction);
 
     /// Marks a node as lying on a solid during the next step: it does not drip.
     /// @throws std::out_of_range for a node that does not exist
     void layDown(std::size_t node);
 
-    /// Replaces the mesh, after the cloth was cut, and the water of all nodes. Nothing is covered afterwards. Water
-    /// that is missing compared with before is booked as returned to the account "cut away".
+    /// Replaces the mesh and the water of all nodes, after the cloth was cut. All nodes are then uncovered. Water that
+    /// is missing compared with before is recorded as returned to the account "cut away".
     /// @param poreMass, filmMass  of each node of the new mesh, kg
     /// @throws std::invalid_argument for a mesh that `validate` refuses, a list of another length, or a mass that is
     ///     negative or not finite
@@ -108,8 +110,10 @@ class DRENCH_API Moisture {
     /// - water evaporates, or is taken up from humid air;
     /// - film is absorbed: the unfilled part of the pores falls by a factor exp(-dt / wettingTime) while film lasts;
     /// - pore water wicks and drains, and what the pores cannot hold goes to the film;
-    /// - film runs down and drips. Each part is divided into shorter steps as stability requires, or solved implicitly
-    /// where these would be too many.
+    /// - film runs down and drips.
+    ///
+    /// Each part is divided into shorter steps where stability requires it, or solved implicitly where that would take
+    /// too many steps.
     /// @param dt  s; 0 to 1e9
     /// @throws std::invalid_argument for a dt out of range, heights that are not finite or not one per node, a gravity
     ///     or drying rate below 0, a humidity below 0 or not below 1

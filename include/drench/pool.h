@@ -19,7 +19,7 @@ namespace drench {
 /// matters for steps of several seconds of water time. The rest of the film returns to the pool.
 ///
 /// Drag, as in air (see AirDrag), with the density of water and the fabric's permeability to water, which is assumed to
-/// be the same across the cloth as along it. Added mass per area for motion normal to the cloth: pi/4 rho L, as for a
+/// be the same through the cloth as along it. Added mass per area for motion normal to the cloth: pi/4 rho L, as for a
 /// plate of width L (Lamb 1932), with L the smaller of the square root of the sheet's area and 0.1 m (assumed).
 ///
 /// Buoyancy: the weight of the water displaced by fibre, pores and film. Drag and buoyancy act in proportion to

@@ -25,7 +25,7 @@ struct Corners {
     btVector3 opposite;  ///< end of the last row
 };
 
-/// Corners of a parallelogram, from one corner and the vectors along its two sides, m.
+/// Corners of a parallelogram, from one corner and the vectors along its two edges, m.
 DRENCH_API Corners flatCorners(const btVector3& origin, const btVector3& warpEdge, const btVector3& weftEdge);
 
 /// Makes a grid of nodesWarp x nodesWeft nodes. Node (i, j) has index i + j nodesWarp; nodes are evenly spaced.
@@ -36,7 +36,7 @@ DRENCH_API Corners flatCorners(const btVector3& origin, const btVector3& warpEdg
 /// a smooth plate. Stiffness in N/m needs a `WetCloth`; without one the sheet is an ordinary patch.
 ///
 /// If the voxel size of `worldInfo.m_sparsesdf` is larger than a cell it is set to half a cell, because contacts would
-/// otherwise be found in the wrong places.
+/// otherwise be found at wrong positions.
 ///
 /// @param worldInfo  of the sheet's world; must outlive the body
 /// @param nodesWarp, nodesWeft  number of nodes in each direction; 2 to 10,000

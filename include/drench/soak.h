@@ -59,11 +59,11 @@ class DRENCH_API TimedSoak final : public Source {
 
     std::vector<std::size_t> nodes_;
     Mask mask_;
-    double amount_ = 0;    // kg, or kg/m2 of white
+    double amount_ = 0;    // kg, or kg/m2 where the picture is white
     double duration_ = 0;  // s
-    double given_ = 0;     // share of it all
+    double given_ = 0;     // fraction of the water added so far, 0 to 1
     bool weighed_ = false;
-    std::vector<double> masses_;  // kg that each of nodes_ gets in all
+    std::vector<double> masses_;  // total water for each of nodes_, kg
 };
 
 }  // namespace drench

@@ -35,15 +35,16 @@ struct DRENCH_API SheetPose {
     double totalArea;        ///< of the cloth at rest, m2
     const Shelter& shelter;  ///< solid bodies around the sheet
     const void* body;        ///< its btSoftBody, for sources that know Bullet; null without one
-    /// Value of `submergedFraction` at which the dry cloth floats, dimensionless; above 1 for cloth that sinks at once.
+    /// Value of `submergedFraction` at which the dry cloth floats, dimensionless; above 1 for cloth that sinks at once;
+    /// default 1.
     double floatingFraction = 1;
 
     /// Area vector of a node, m2: a third of the sum of the present area vectors of its triangles.
     Eigen::Vector3d areaVector(std::size_t node) const;
 };
 
-/// Share of a node that counts as under water, 0 to 1: rises as 3 t^2 - 2 t^3 from 0 at 1 cm above the surface to 1 at
-/// 1 cm below it, so that floating cloth comes to rest (assumed).
+/// Fraction of a node that counts as under water, 0 to 1: rises as 3 t^2 - 2 t^3 from 0 at 1 cm above the surface to 1
+/// at 1 cm below it, so that floating cloth comes to rest (assumed).
 /// @param depth  of the node below the surface, m
 DRENCH_API double submergedFraction(double depth);
 
@@ -64,29 +65,32 @@ class DRENCH_API Supply {
     /// Takes pore water from a node.
     /// @return the mass taken: `mass`, or less if there is less
     virtual double takePores(std::size_t node, double mass) = 0;
-    /// Covers a share of the node's faces, 0 to 1, for this step: it does not dry there, and at 1 it does not drip.
+    /// Covers a fraction of the node's faces, 0 to 1, for this step: the covered part does not dry, and at 1 the node
+    /// does not drip.
     virtual void cover(std::size_t node, double fraction) = 0;
     /// Sets the depth of a node below a water surface for the body's next substep: drag and buoyancy act on it in
-    /// proportion to `submergedFraction`. Of several depths the greatest counts. This alone does not wet the node.
+    /// proportion to `submergedFraction`. If a node gets several depths, the greatest counts. This alone does not wet
+    /// the node.
     /// @param depth     m; -1e9 to 1e9; negative above the surface
     /// @param velocity  of the water there, m/s
     virtual void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) = 0;
 };
 
 /// A source of water. Derive from it for a source of your own: at the start of every step Drench calls `supply`, and
-/// books what it adds and takes in the account of its name.
+/// records what it adds and takes in the ledger account of that name.
 class DRENCH_API Source {
   public:
     virtual ~Source() = default;
-    /// Name of its account in the ledger.
+    /// Name of its account in the ledger; sources with the same name share one.
     virtual std::string name() const = 0;
     /// Adds the water of `dt` seconds of water time (see SheetSettings::waterSpeed). With a `dt` of 0 it must only
-    /// check its settings and add nothing: so it is called once when the source is added, and whenever the water speed
-    /// is 0.
+    /// check its settings and add nothing. It is called in this way once when the source is added, and whenever the
+    /// water speed is 0.
     ///
-    /// An exception while the source is being added rejects it. A std::exception in a later step ends the turn of this
-    /// source and is reported as `Trouble::source`; with `OnTrouble::throwError` it leaves the step.
-    /// `supply` may add sources to its WetCloth and remove any, itself included.
+    /// An exception while the source is being added rejects it. A std::exception in a later step ends this call of
+    /// `supply` and is reported as `Trouble::source`; the source is called again in the next step. With
+    /// `OnTrouble::throwError` the exception leaves the step. `supply` may add sources to its WetCloth and remove any,
+    /// itself included.
     virtual void supply(const SheetPose& sheet, double dt, Supply& supply) = 0;
 
     /// Saves the state that later calls of `supply` depend on, for `WetCloth::snapshot`; not the settings. Default:

@@ -11,10 +11,11 @@
 
 namespace drench {
 
-/// A nozzle that distributes its water evenly over a cone. Each node inside the cone gets the fraction of the cone that
-/// its projected area fills; what misses the sheet is not supplied. A cone that is narrower than the distance between
-/// nodes may pass between them. Solid bodies give shelter: each step tests `raysPerStep` nodes, in turn, and the
-/// results are kept until the next turn; a node that was never tested counts as not sheltered.
+/// A nozzle that distributes its water evenly over a cone. Each node inside the cone gets the fraction of the cone
+/// that its projected area fills; water that misses the sheet is not supplied. A cone that is narrower than the
+/// distance between nodes may pass between them. Solid bodies give shelter: each step tests `raysPerStep` nodes with
+/// one ray each, cycling through all nodes. A result is kept until the node is tested again; a node that was never
+/// tested counts as not sheltered.
 class DRENCH_API Spray final : public Source {
   public:
     Eigen::Vector3d origin;     ///< position of the nozzle, m
@@ -22,7 +23,7 @@ class DRENCH_API Spray final : public Source {
     double halfAngle = 0.2;  ///< between the axis and the surface of the cone, rad; 0.01 to 1.5; default 0.2
     double rate;             ///< water from the nozzle, kg/s; 0 to 1000
     double speed = 5;        ///< of the water, m/s; 0 to 100; default 5
-    int raysPerStep = 64;    ///< 1 to 1e6; default 64
+    int raysPerStep = 64;    ///< nodes tested for shelter in each step; 1 to 1e6; default 64
 
     /// First values of `origin`, `direction` and `rate`.
     Spray(const Eigen::Vector3d& initialOrigin, const Eigen::Vector3d& initialDirection, double initialRate);
@@ -36,7 +37,7 @@ class DRENCH_API Spray final : public Source {
     void askForShelter(const SheetPose& sheet);
 
     std::vector<char> sheltered_;
-    std::vector<double> fractions_;  // of the cone, of each node
+    std::vector<double> fractions_;  // fraction of the cone that each node fills
     std::size_t nextRay_ = 0;
 };
 

@@ -96,7 +96,7 @@ class DRENCH_API StateReader {
     std::string readText();
     /// `count` bytes as they are.
     std::string_view readBytes(std::uint64_t count);
-    /// A count, checked to be at most the bytes left over `bytesOfEach`.
+    /// A number of elements. Throws if that many elements of `bytesOfEach` bytes exceed the bytes left.
     std::uint64_t readCount(std::uint64_t bytesOfEach);
 
     /// Number of bytes left.

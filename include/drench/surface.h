@@ -18,7 +18,7 @@ struct Surface {
     double frictionDry;      ///< friction coefficient of dry cloth; 0 to 5
     double frictionDamp;     ///< the same at a pore saturation of 0.6 or more; 0 to 5
     double frictionSoaked;   ///< the same when lubricated by a film; 0 to 5
-    double wettability = 1;  ///< factor on the fabric's cling energy, dimensionless; 0 to 1; default 1
+    double wettability = 1;  ///< factor on `Fabric::clingEnergy`, dimensionless; 0 to 1; default 1
 };
 
 /// Friction and adhesion of a fabric on a kind of surface. Rough surfaces (all assumed): dry friction is twice that on

@@ -1,4 +1,4 @@
-// Adds water to a btSoftBody, and makes its mechanics and its look follow from it.
+// Adds water to a btSoftBody, and updates its mechanics and its appearance accordingly.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
@@ -30,7 +30,7 @@ struct Drop {
     Eigen::Vector3d position;  ///< where they fell from, m
     Eigen::Vector3d velocity;  ///< of the cloth there, m/s
     double mass;               ///< of each drop, kg
-    std::int64_t count;        ///< number of drops; more than one where water pours
+    std::int64_t count;        ///< number of drops; above 1 where much water drips
     double time;               ///< of the body, since its WetCloth was made, s
     int node;                  ///< index of the node
 };
@@ -60,7 +60,7 @@ struct SheetSettings {
     std::vector<std::array<Eigen::Vector2d, 3>> faceCoordinates;
 
     /// Ratio of water time to the body's time, dimensionless; 0 to 1e5; default 1. At 60 an hour of drying takes a
-    /// minute. Sources use water time, but the momentum of their water is that of the body's time.
+    /// minute. Sources run in water time; if the ratio is above 1, the momentum of arriving water is divided by it.
     double waterSpeed = 1;
 
     /// Who calls `WetCloth::preSubstep`; default: the world.
@@ -118,13 +118,15 @@ class DRENCH_API WetCloth {
     /// adhesion. By default a solid is a plate, with all friction coefficients scaled by m_cfg.kDF x the solid's
     /// friction / `Fabric::plateFrictionDry`, so that the friction of dry cloth is Bullet's.
     ///
-    /// Friction is Coulomb's, for each node by its own water (see `frictionCoefficient`); 0 for a negative or NaN
-    /// friction of Bullet's, and at most 1000. Adhesion (see `WetLaws::clingEnergy`) bonds a node of wet cloth to a
-    /// surface that it has touched: the bond pulls with energy x area / reach, and breaks beyond its reach, the square
-    /// root of the node's area, 1 to 10 mm. So peeling a strip at a right angle takes energy x width, and cloth hangs
-    /// from a ceiling while energy / reach exceeds its weight per area. Bonds add to the normal force, and so to
-    /// friction. The solid gets the opposite forces. Sheets that have a WetCloth adhere where both are wet; a soft body
-    /// without one counts as wettable.
+    /// Friction is Coulomb's, for each node by its own water (see `frictionCoefficient`). A friction coefficient of
+    /// Bullet's that is negative or NaN counts as 0, one above 1000 as 1000.
+    ///
+    /// Adhesion (see `WetLaws::clingEnergy`) acts on a node of wet cloth once it has touched a surface: an adhesive
+    /// bond pulls it back with a force of energy x area / reach, and breaks beyond its reach, the square root of the
+    /// node's area, 1 to 10 mm. So the force to peel off a strip at a right angle is energy x width, and cloth hangs
+    /// from a ceiling while energy / reach exceeds its weight per area. Adhesion adds to the normal force, and so to
+    /// friction. The solid gets the opposite forces. Sheets that have a WetCloth adhere to each other where both are
+    /// wet; a soft body without one counts as wettable.
     /// @param solid  known by its address; it may be destroyed. Call again if another object gets the same address
     void setSurface(const btCollisionObject& solid, SurfaceKind kind);
     /// The same for a surface of your own. @throws std::invalid_argument for a value out of range
@@ -142,8 +144,8 @@ class DRENCH_API WetCloth {
     /// @name Adding and taking water
     /// @{
 
-    /// Adds a source: one from sources.h or wet_contact.h, or your own. It works from the next substep on. Sources of
-    /// the same name share an account.
+    /// Adds a source: one from sources.h or wet_contact.h, or your own. It takes effect from the next substep on.
+    /// Sources of the same name share an account.
     /// @return the source, valid until it is removed; its settings may be changed there
     /// @throws what the source throws if its settings are invalid; it is then not added
     template <typename SourceType>
@@ -162,7 +164,7 @@ class DRENCH_API WetCloth {
     void remove(const Source& source);
 
     /// Adds and takes water directly, at any time and in the body's time, in the account of that name. The reference is
-    /// valid as long as the WetCloth.
+    /// valid as long as the WetCloth exists.
     Supply& account(const std::string& name);
 
     /// Adds film water to one node, from the next substep on, and wakes the body.
@@ -194,7 +196,7 @@ class DRENCH_API WetCloth {
     double waterMass() const;
     /// Mass of the dry cloth, kg.
     double dryMass() const;
-    /// Mass of cloth and water of one node, kg; also of a pinned one.
+    /// Mass of cloth and water of one node, kg; also for pinned nodes.
     double nodeMass(int node) const;
     /// Pore water of a node over its pore capacity, 0 to 1.
     double saturation(int node) const;
@@ -202,9 +204,9 @@ class DRENCH_API WetCloth {
     double moistureContent(int node) const;
     /// Diffuse colour of a node; see `WetLaws::albedo`.
     Colour albedo(int node) const;
-    /// Share of light that the cloth transmits at a node, 0 to 1; see `WetLaws::transmittance`.
+    /// Fraction of light that the cloth transmits at a node, 0 to 1; see `WetLaws::transmittance`.
     double transmittance(int node) const;
-    /// Share of a node that is glossy like water, 0 to 1; see `WetLaws::gloss`.
+    /// Fraction of a node that is glossy like water, 0 to 1; see `WetLaws::gloss`.
     double gloss(int node) const;
     /// The fabric given to the constructor.
     const Fabric& fabric() const;
@@ -242,10 +244,11 @@ class DRENCH_API WetCloth {
     /// Computing times of the steps so far.
     StepTimes times() const;
 
-    /// Does the work of a substep that is about to begin. Only for `Stepping::byApplication`; otherwise the world calls
-    /// it, and exceptions leave stepSimulation: Bullet's step is then not done, other sheets may have had theirs, and
-    /// world.clearForces() must be called before the next step. The world's step also throws std::invalid_argument if a
-    /// plane shape was added that the body can collide with. Does nothing while the body is in no world, or destroyed.
+    /// Prepares the substep that is about to begin: sources, water, node masses, stiffness and forces. Only for
+    /// `Stepping::byApplication`; otherwise the world calls it, and exceptions leave stepSimulation: Bullet then skips
+    /// the substep, other sheets may already have been prepared for it, and world.clearForces() must be called before
+    /// the next step. The world's step also throws std::invalid_argument if a plane shape was added that the body can
+    /// collide with. Does nothing while the body is in no world, or destroyed.
     /// @param dt  duration of the substep, s; above 0 and finite
     /// @throws std::logic_error with `Stepping::byWorld`; std::invalid_argument for a dt out of range; in the
     ///     deformable world std::runtime_error for explicit substeps longer than `stepBound` and for implicit ones

@@ -15,11 +15,11 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 /// A collision object with a wet surface. Where the sheet touches it, the film on the face in contact approaches the
-/// thickness of that on the body, with a time constant of 0.1 s (assumed). Contacts are those of the last substep
+/// film thickness of the body, with a time constant of 0.1 s (assumed). Contacts are those of the last substep
 /// (btSoftBody::m_rcontacts, in the deformable world m_nodeRigidContacts).
 class DRENCH_API WetBody final : public Source {
   public:
-    double filmThickness = 0.1e-3;  ///< of the water on the body, m; 0 to 0.01; default 0.1e-3
+    double filmThickness = 0.1e-3;  ///< of the water film on the body, m; 0 to 0.01; default 0.1e-3
     /// Water left on the body, kg; at least 0; default infinite.
     double amount = std::numeric_limits<double>::infinity();
 

@@ -42,10 +42,10 @@ class DRENCH_API WetLaws {
         return ratio(wetBendingFrictionRatio_, moistureContent);
     }
 
-    /// Energy to peel the cloth off a wettable surface or another wet cloth, J/m2: `Fabric::clingEnergy` times a factor
-    /// of the saturation and one of the film (both assumed, linear in between). The first is 0 up to the bound maximum
-    /// and 1 from a pore saturation of 0.3 on. The second is 1 up to a film of 0.1 mm and 0 from 0.2 mm on, where the
-    /// film drains.
+    /// Energy to peel the cloth off a wettable surface or another wet cloth, J/m2: `Fabric::clingEnergy` times a
+    /// factor for the saturation and a factor for the film (both assumed, linear in between). The first is 0 up to the
+    /// bound maximum and 1 from a pore saturation of 0.3 on. The second is 1 up to a film of 0.1 mm and 0 from 0.2 mm
+    /// on, where the film drains.
     /// @param saturation     of the pores, 0 to 1
     /// @param filmThickness  on one face, m
     double clingEnergy(double saturation, double filmThickness) const;
@@ -60,12 +60,12 @@ class DRENCH_API WetLaws {
     /// saturation (measured), the last tenth from there to full pores (assumed).
     Colour albedo(double saturation) const;
 
-    /// Share of light that the cloth transmits at a pore saturation of 0 to 1: T = 1 / (1 + S h), a thin layer without
-    /// absorption (Kubelka and Munk 1931), with S h the scattering power. Full pores divide S h by
+    /// Fraction of light that the cloth transmits at a pore saturation of 0 to 1: T = 1 / (1 + S h), a thin layer
+    /// without absorption (Kubelka and Munk 1931), with S h the scattering power. Full pores divide S h by
     /// `Fabric::scatteringLoss`; in between 1 / (S h) is interpolated as in `albedo`.
     double transmittance(double saturation) const;
 
-    /// Share of the face that is glossy like water, 0 to 1: film thickness over 18 um, the retained film (assumed).
+    /// Fraction of the face that is glossy like water, 0 to 1: film thickness over 18 um, the retained film (assumed).
     /// @param filmThickness  on one face, m
     static double gloss(double filmThickness);
 

@@ -20,7 +20,7 @@ class DRENCH_API WindField {
     /// most 216 times per step and sheet.
     ///
     /// If it throws a std::exception or returns an invalid velocity, the last valid air is used, and this is reported
-    /// as `Trouble::air`; with `OnTrouble::throwError` it leaves the step.
+    /// as `Trouble::air`; with `OnTrouble::throwError` the exception leaves the step.
     /// @param position  in the world, m
     /// @param time      of the body since its WetCloth was made, s
     virtual Eigen::Vector3d velocity(const Eigen::Vector3d& position, double time) const = 0;

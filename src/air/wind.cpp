@@ -25,8 +25,8 @@ double fraction(double value) {
     return value - std::floor(value);
 }
 
-// Directions that are spread evenly, however few are looked at, after the two-dimensional sequence of Roberts
-// (2018): so that the few waves with much energy do not favour one side.
+// Directions that are spread evenly for any number of them (two-dimensional sequence of Roberts 2018), so
+// that the few waves with much energy do not favour one side.
 Eigen::Vector3d spreadDirection(std::size_t index, double firstHeight, double firstTurn) {
     const double height = 2 * fraction(firstHeight + 0.7548776662466927 * double(index)) - 1;
     const double angle = 2 * pi * fraction(firstTurn + 0.5698402909980532 * double(index));
@@ -38,7 +38,8 @@ struct SineCosine {
     double sine, cosine;
 };
 
-// Of so many turns, to 1e-9. In plain arithmetic, so that the loop over waves takes several at a time.
+// Cosine and sine of an angle in turns, accurate to 1e-9. Written in plain arithmetic, so that the loop over
+// waves is vectorised.
 inline SineCosine ofTurns(double turns) {
     constexpr double toWhole = 6755399441055744.0;  // 1.5 x 2^52: adding it rounds to whole turns
     const double half = pi * (turns - ((turns + toWhole) - toWhole));
@@ -73,7 +74,7 @@ Gusts::Gusts(const Eigen::Vector3d& mean, double intensity, double lengthScale, 
         const double kappa = smallestWaveNumber * std::pow(largestWaveNumber / smallestWaveNumber, step);
         const Eigen::Vector3d direction = spreadDirection(wave, firstHeight, firstTurn);
         phases_[wave] = uniform();
-        // Bands of equal width in log k hold energy as k E(k).
+        // Bands of equal width in log k contain an energy proportional to k E(k).
         const double amplitude = std::sqrt(kappa * energyAt(kappa));
         energy += amplitude * amplitude;
         const Eigen::Vector3d across = amplitude * direction.unitOrthogonal();
@@ -85,7 +86,7 @@ Gusts::Gusts(const Eigen::Vector3d& mean, double intensity, double lengthScale, 
             withSine_[axis][wave] = onwards[component];
         }
     }
-    // The square of the speed of a helix is that of its amplitude at all times.
+    // The squared speed of a circularly polarised wave equals that of its amplitude at all times.
     const double scale = intensity * mean.norm() * std::sqrt(3 / energy);
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (std::size_t wave = 0; wave < waveCount; ++wave) {

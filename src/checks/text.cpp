@@ -8,7 +8,7 @@ namespace drench {
 
 namespace {
 
-// Of a number as std::to_chars writes it: 1e-07 becomes 1e-7, and 1e+300 becomes 1e300.
+// Simplifies the exponent that std::to_chars writes: 1e-07 becomes 1e-7, and 1e+300 becomes 1e300.
 void appendTidy(std::string& text, std::string_view number) {
     const std::size_t e = number.find('e');
     text += number.substr(0, e);
@@ -34,7 +34,7 @@ void appendFloat(std::string& text, Float value) {
     else if (std::isinf(value))
         text += value < 0 ? "-infinity" : "infinity";
     else if (std::abs(value) >= Float(1e-4) && std::abs(value) < Float(1e6))
-        appendNumber(text, value, std::chars_format::fixed);  // 100000 reads better than 1e5
+        appendNumber(text, value, std::chars_format::fixed);  // 100000 is easier to read than 1e5
     else
         appendNumber(text, value);
 }
@@ -46,7 +46,7 @@ std::string inQuotes(std::string_view name) {
     std::size_t end = std::min(name.size(), longest);
     if (name.size() > longest)
         while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0u) == 0x80u)
-            --end;  // within a letter of UTF-8
+            --end;  // within a UTF-8 character
     std::string text = "'";
     for (const char c : name.substr(0, end))
         text += static_cast<unsigned char>(c) < ' ' || c == 127 ? '?' : c;

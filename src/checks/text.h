@@ -1,4 +1,4 @@
-// Values in the words of a message: each as short as it can be without being mistaken for another.
+// Formats values in messages: as short as possible, but unambiguous.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace drench {
 
-// A calculated value, printed with six digits. Given values are printed in full.
+// A computed value, printed with six digits. Values from the user are printed in full.
 struct SixDigits {
     double value;
 };
@@ -21,7 +21,7 @@ auto sixDigits(const Vector& v) -> decltype(v.z(), std::array<SixDigits, 3>()) {
     return {{{double(v.x())}, {double(v.y())}, {double(v.z())}}};
 }
 
-// A name in quotes, with '?' for control characters, and cut after 60 bytes.
+// A name in quotes, with '?' for control characters, cut after 60 bytes.
 std::string inQuotes(std::string_view name);
 
 namespace texts {
@@ -56,7 +56,7 @@ void appendList(std::string& text, const First& first, const Rest&... rest) {
     append(text, ')');
 }
 
-// Three dimensions, as of Eigen and of Bullet.
+// Three components, as in vectors of Eigen and of Bullet.
 template <typename Vector>
 auto append(std::string& text, const Vector& v) -> decltype(v.x(), v.y(), void(v.z())) {
     appendList(text, v.x(), v.y(), v.z());
@@ -69,8 +69,8 @@ void append(std::string& text, const std::array<Number, 3>& v) {
 
 }  // namespace texts
 
-// The parts of a message one after the other: words as they are, numbers in the shortest form that reads back the
-// same, vectors as (x, y, z).
+// Concatenates the parts of a message: text unchanged, numbers in the shortest form that reads back the same,
+// vectors as (x, y, z).
 template <typename... Parts>
 std::string textOf(const Parts&... parts) {
     std::string text;

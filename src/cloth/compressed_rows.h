@@ -1,4 +1,4 @@
-// Rows of different lengths, one after the other in memory.
+// Rows of different lengths, stored contiguously.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace drench {
 
-// What belongs to each of many things, as the neighbours of each node: compressed sparse rows, two arrays for all.
+// Compressed sparse rows: lists of different lengths, such as the neighbours of each node, in two arrays.
 template <typename Value>
 class CompressedRows {
   public:
@@ -26,9 +26,9 @@ class CompressedRows {
 
     CompressedRows() = default;
 
-    // @param rows     how many there are
-    // @param forEach  calls `add(row, value)`, the function that it is given, for every value; it is called twice, to
-    //     count and to fill, and must do the same both times. The values of a row keep that order.
+    // @param rows     number of rows
+    // @param forEach  must call the function `add(row, value)`, its argument, for every value. It is called
+    //     twice, to count and to fill, and must do the same both times. The values of a row keep this order
     template <typename ForEach>
     CompressedRows(std::size_t rows, ForEach forEach) : first_(rows + 1, 0) {
         forEach([&](std::size_t row, const Value&) { ++first_[row + 1]; });
@@ -47,7 +47,7 @@ class CompressedRows {
     std::size_t valueCount() const { return values_.size(); }
 
   private:
-    std::vector<std::size_t> first_ = {0};  // value of each row, and the end of the last
+    std::vector<std::size_t> first_ = {0};  // index of the first value of each row, and the total
     std::vector<Value> values_;
 };
 

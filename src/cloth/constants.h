@@ -1,4 +1,4 @@
-// Numbers that several rooms need.
+// Constants that several folders use.
 #pragma once
 
 namespace drench {

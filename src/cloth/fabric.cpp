@@ -95,8 +95,8 @@ void checkParameter(const Fabric& fabric, const FabricParameter& parameter) {
                  parameter.minimum, " to ", parameter.maximum);
 }
 
-// Least bound maximum over regain. A little below it, at 1.54, more than one isotherm of the kind that drying uses
-// passes through both, and below 1.3 none does.
+// Smallest ratio of bound maximum to regain. Slightly below it, at 1.54, more than one isotherm of the kind
+// used for drying passes through both points; below 1.3 none does.
 constexpr double minBoundOverRegain = 1.6;
 
 }  // namespace

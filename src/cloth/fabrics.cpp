@@ -1,4 +1,4 @@
-// The presets. One line a value, with its provenance beside it.
+// The ready-made fabrics. One line per value, with its provenance.
 //
 // Sources by short name:
 //   Morton & Hearle 2008   Physical Properties of Textile Fibres, 4th ed.
@@ -33,11 +33,11 @@ constexpr const char* wang = "Wang et al. 2011";
 constexpr const char* publishedRange = "middle of a published range";
 constexpr const char* unrecorded = "published, but by whom is not on record";
 
-// Scattering at a fibre follows its Fresnel reflectance, which water instead of air around it lowers.
+// The scattering of a fibre is proportional to its Fresnel reflectance, which is lower in water than in air.
 constexpr const char* fresnel = "Fresnel reflectance of the fibre in air over that in water";
 
-// The entry pressure follows the Young-Laplace equation from that of cotton, 1200 Pa at a contact angle of
-// 41 degrees; the permeability takes what is left of the assumed product of the two, relative to cotton.
+// The entry pressure follows from that of cotton, 1200 Pa at a contact angle of 41 degrees, by the
+// Young-Laplace equation. The permeability follows from the assumed product of the two, relative to cotton.
 void setWicking(Fabric& fabric, double contactAngle, double productRelativeToCotton) {
     constexpr double cottonAngle = 41, cottonPressure = 1200, cottonPermeability = 2e-11;
     constexpr double degree = pi / 180;
@@ -139,7 +139,7 @@ Fabric polyesterPlain() {
 Fabric polyesterTropical() {
     constexpr const char* likePlain = "as polyester plain";
     Fabric fabric = polyesterPlain();
-    // Only what was measured on this very cloth is measured.
+    // Only values measured on this very cloth are marked as measured.
     for (const FabricParameter& parameter : fabricParameters()) {
         Quantity& quantity = fabric.*parameter.member;
         if (quantity.provenance != Provenance::textbook) quantity = assumed(quantity, likePlain);

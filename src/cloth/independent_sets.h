@@ -1,4 +1,4 @@
-// Greedy colouring: elements of a mesh in sets of which no two share a node.
+// Greedy graph colouring: sets of mesh elements of which no two share a node.
 #pragma once
 
 #include <algorithm>
@@ -8,19 +8,20 @@
 
 namespace drench {
 
-// Takes set after set off a list of elements; each is one colour.
-// @tparam Nodes  of an element: 2 of a link, 3 of a triangle
+// Removes one set after the other from a list of elements; each set is a colour.
+// @tparam Nodes  nodes of an element: 2 for a link, 3 for a triangle
 template <std::size_t Nodes>
 class IndependentSets {
   public:
-    // @param elements  the nodes of each, of which negative ones do not count; they stay where they are
-    // @param nodes     how many nodes there are
+    // @param elements  the nodes of each element; negative ones are ignored; must outlive this
+    // @param nodes     number of nodes
     IndependentSets(const std::vector<std::array<int, Nodes>>& elements, std::size_t nodes)
         : elements_(elements), setOf_(nodes, -1) {}
 
-    // Goes through the list in its order, and takes each element that shares no node with those taken before it.
-    // @param waiting  indices of elements; those that are not taken stay
-    // @return indices of those that are
+    // Goes through the list in order, and removes each element that shares no node with those removed before
+    // it.
+    // @param waiting  indices of elements; those that are not removed stay
+    // @return the removed indices
     std::vector<int> take(std::vector<int>& waiting) {
         ++set_;
         std::vector<int> taken;
@@ -43,7 +44,7 @@ class IndependentSets {
     bool isInSet(int node) const { return node >= 0 && setOf_[static_cast<std::size_t>(node)] == set_; }
 
     const std::vector<std::array<int, Nodes>>& elements_;
-    std::vector<int> setOf_;  // the last set that has the node; -1 for none
+    std::vector<int> setOf_;  // last set that contains each node; -1 for none
     int set_ = -1;
 };
 

@@ -12,7 +12,7 @@ namespace drench {
 
 namespace {
 
-// A triangle as seen from one of its edges, in its own material coordinates.
+// A triangle seen from one of its edges, in its own material coordinates.
 struct Beside {
     int opposite;                    // its node that is not on the edge
     Eigen::Vector2d from, to, apex;  // ends of the edge, lower node first, and the opposite corner
@@ -26,7 +26,7 @@ Beside besideOf(const ClothMesh& mesh, const EdgeTriangle& at) {
     return {nodes[at.apex], corners[from], corners[to], corners[at.apex]};
 }
 
-// Of the triangles at an edge together, m2.
+// Total area of the triangles at an edge, m2.
 double areaAt(const ClothMesh& mesh, const MeshEdges& edges, std::size_t edge) {
     double area = 0;
     for (const EdgeTriangle& at : edges.trianglesAt(edge))
@@ -34,7 +34,8 @@ double areaAt(const ClothMesh& mesh, const MeshEdges& edges, std::size_t edge) {
     return area;
 }
 
-// Apex of the second triangle at an edge once it is laid beside the first; at a seam they lie apart.
+// Apex of the second triangle at an edge when it is laid next to the first; at a seam their coordinates
+// differ.
 Eigen::Vector2d laidBeside(const Beside& first, const Beside& second) {
     const auto across = [](const Eigen::Vector2d& v) { return Eigen::Vector2d(-v.y(), v.x()); };
     const Eigen::Vector2d along = (first.to - first.from).normalized();
@@ -57,17 +58,17 @@ bool cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vect
     return along.minCoeff() > margin && along.maxCoeff() < 1 - margin;
 }
 
-// Young's modulus of the links in the direction of `along`, N/m.
+// Young's modulus of the links in direction `along`, N/m.
 double directionalStiffness(const Fabric& fabric, const Eigen::Vector2d& along) {
     const double cos2 = along.x() * along.x() / along.squaredNorm();
     const double sin2 = 1 - cos2;
-    const double straight = (cos2 - sin2) * (cos2 - sin2);  // cos^2 of the doubled angle
+    const double straight = (cos2 - sin2) * (cos2 - sin2);  // cos^2 of twice the angle
     const double shear = fabric.shear;
     return straight * ((fabric.stretchWarp - shear) * cos2 + (fabric.stretchWeft - shear) * sin2) +
            4 * shear * (1 - straight);
 }
 
-// A link along which `area` of cloth is stretched.
+// Stiffness of a link that represents `area` of the cloth.
 LinkStiffness stretchLink(const Fabric& fabric, const Eigen::Vector2d& along, double area) {
     return {LinkKind::stretch, directionalStiffness(fabric, along) * area / along.squaredNorm()};
 }
@@ -78,7 +79,8 @@ std::vector<LinkStiffness> linkStiffness(const Fabric& fabric, const ClothMesh& 
                                          const std::vector<LinkNodes>& links) {
     const MeshEdges edges(mesh.triangles, mesh.size());
 
-    // Where a link joins the far corners of two neighbouring triangles: the edge between them, and its own direction.
+    // For a link between the far corners of two neighbouring triangles: their common edge, and the direction
+    // of the link.
     struct Crossing {
         std::size_t edge;
         Eigen::Vector2d along;
@@ -93,7 +95,7 @@ std::vector<LinkStiffness> linkStiffness(const Fabric& fabric, const ClothMesh& 
             crossings.emplace(pairOf(first.opposite, second.opposite), Crossing{edge, apex - first.apex});
     }
 
-    // Edges whose area is shared by a link across them.
+    // Edges that share their area with a link across them.
     std::vector<char> isCrossed(edges.size(), 0);
     for (const LinkNodes& link : links) {
         const NodePair nodes = pairOf(link.nodes[0], link.nodes[1]);

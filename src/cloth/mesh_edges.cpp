@@ -4,9 +4,9 @@ namespace drench {
 
 namespace {
 
-// An edge of a triangle, at its lower node.
+// An edge of a triangle, stored at its lower node.
 struct FromLower {
-    int upper;  // node
+    int upper;  // upper node
     EdgeTriangle edge;
 };
 

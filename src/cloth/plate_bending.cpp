@@ -12,16 +12,16 @@ namespace drench {
 
 namespace {
 
-// How much the compromise leans towards the weights that balance. Between 0.2 and 0.6 cantilevers and plates
-// on irregular meshes bend right within some percent: below they are too soft, above too stiff.
+// Weight of the balanced weights in the compromise. Between 0.2 and 0.6 cantilevers and plates on irregular
+// meshes are accurate to a few percent; below they are too soft, above too stiff.
 constexpr double leaning = 0.4;
 
-// A triangle as seen from one of its edges.
+// A triangle seen from one of its edges.
 struct TriangleEdge {
     std::size_t triangle;
-    std::size_t apex, from, to;  // corners; the edge runs from its lower node to its higher
+    std::size_t apex, from, to;  // corners; the edge runs from its lower to its higher node
     double height;               // of the apex over the edge, m
-    double foot;                 // of that height, as a share of the way along the edge
+    double foot;                 // position of the foot of that height, as a fraction of the edge
 };
 
 TriangleEdge edgeOf(const ClothMesh& mesh, std::size_t triangle, std::size_t apex) {
@@ -35,19 +35,19 @@ TriangleEdge edgeOf(const ClothMesh& mesh, std::size_t triangle, std::size_t ape
     return edge;
 }
 
-// Symmetric tensors as vectors of the same length.
+// Symmetric tensors as vectors with the same norm.
 Eigen::Vector3d square(const Eigen::Vector2d& v) {
     return {v.x() * v.x(), v.y() * v.y(), std::sqrt(2.0) * v.x() * v.y()};
 }
 
-// What the jumps of the slope tell of a triangle's curvature.
+// The relation between jumps of the slope and the curvature of a triangle.
 struct Jumps {
-    // Row per edge: length of the edge x jump of the slope across it, as weights of the six nodes.
+    // One row per edge: length of the edge x jump of the slope across it, as weights of the six nodes.
     Eigen::Matrix<double, 3, 6> ofNodes = Eigen::Matrix<double, 3, 6>::Zero();
-    Eigen::Matrix3d ofCurvature = Eigen::Matrix3d::Zero();  // the same for an even curvature, m2
-    Eigen::Matrix3d balanced = Eigen::Matrix3d::Zero();  // the weights of Onate and Zarate, column per edge
-    Eigen::Matrix3d told = Eigen::Matrix3d::Identity();  // takes off curvature across free edges
-    int edges = 0;                                       // that have a neighbour
+    Eigen::Matrix3d ofCurvature = Eigen::Matrix3d::Zero();  // the same for a uniform curvature, m2
+    Eigen::Matrix3d balanced = Eigen::Matrix3d::Zero();     // weights of Onate and Zarate, column per edge
+    Eigen::Matrix3d told = Eigen::Matrix3d::Identity();     // removes curvature across free edges
+    int edges = 0;                                          // number of edges with a neighbour
 };
 
 Jumps jumpsOf(const ClothMesh& mesh, const MeshEdges& edges, std::size_t triangle, PlateElement& element) {
@@ -79,7 +79,7 @@ Jumps jumpsOf(const ClothMesh& mesh, const MeshEdges& edges, std::size_t triangl
         weight(own.from) = -length * ((1 - own.foot) / own.height + (1 - other.foot) / other.height);
         weight(own.to) = -length * (own.foot / own.height + other.foot / other.height);
 
-        // The neighbour laid flat beside the triangle; at a seam their coordinates lie apart.
+        // The neighbour laid flat next to the triangle; at a seam their coordinates differ.
         const Eigen::Vector2d farPosition = from + other.foot * along + other.height * outward;
         jumps.ofCurvature.row(row) =
             0.5 * (weight(far) * square(farPosition - from) + weight(apex) * square(corners[apex] - from) +
@@ -89,12 +89,12 @@ Jumps jumpsOf(const ClothMesh& mesh, const MeshEdges& edges, std::size_t triangl
     return jumps;
 }
 
-// Curvature for each jump, column per edge: of all weights W those for which |W ofCurvature - 1|^2 +
-// leaning |W - balanced|^2 is least, each jump in units of what an even curvature makes of it.
+// Curvature for each jump, one column per edge: the weights W that minimise |W ofCurvature - 1|^2 + leaning
+// |W - balanced|^2, with each jump in units of that of a uniform curvature.
 Eigen::Matrix3d compromise(const Jumps& jumps) {
     Eigen::Vector3d unit = jumps.ofCurvature.rowwise().norm();
     for (double& norm : unit)
-        if (norm == 0) norm = 1;  // no neighbour there
+        if (norm == 0) norm = 1;  // no neighbour at this edge
     const Eigen::Matrix3d ofCurvature = unit.cwiseInverse().asDiagonal() * jumps.ofCurvature;
     const Eigen::Matrix3d balanced = jumps.balanced * unit.asDiagonal();
     const Eigen::Matrix3d normal =
@@ -103,8 +103,8 @@ Eigen::Matrix3d compromise(const Jumps& jumps) {
     return jumps.told * weights * unit.cwiseInverse().asDiagonal();
 }
 
-// Where a far corner is also another node of the element, as around a node of three triangles, one takes the
-// weights of both.
+// If a far corner is also another node of the element, as around a node with three triangles, their weights
+// are added.
 void mergeNodes(PlateElement& element) {
     for (std::size_t far = 3; far < 6; ++far) {
         if (element.nodes[far] < 0) continue;

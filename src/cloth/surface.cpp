@@ -10,7 +10,7 @@ namespace drench {
 
 namespace {
 
-// From 0 at `from` to 1 at `to`, level at both ends.
+// Rises from 0 at `from` to 1 at `to`, with slope 0 at both ends.
 double smoothStep(double from, double to, double value) {
     const double x = std::clamp((value - from) / (to - from), 0.0, 1.0);
     return x * x * (3 - 2 * x);

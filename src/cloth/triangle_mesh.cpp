@@ -83,7 +83,7 @@ std::array<Eigen::Vector2d, 3> flat(const std::array<Eigen::Vector3d, 3>& corner
             Eigen::Vector2d(foot, (edge - foot * along).norm())};
 }
 
-// Of a triangle's edges from its first corner, as columns.
+// The two edges of a triangle from its first corner, as columns.
 Eigen::Matrix2d edgesOf(const std::array<Eigen::Vector2d, 3>& corners) {
     Eigen::Matrix2d edges;
     edges << corners[1] - corners[0], corners[2] - corners[0];
@@ -120,7 +120,8 @@ std::vector<std::array<Eigen::Vector2d, 3>> texturedCoordinates(const TriangleMe
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Eigen::Matrix2d texture = edgesOf(mesh.textureCoordinates[t]);
         std::array<Eigen::Vector2d, 3> corners = flat(cornersOf(mesh, t));
-        // In which direction u rises: u of the two edges, by the inverse of the edges laid flat.
+        // Gradient of texture coordinate u, from u along the two edges and the inverse of the edges laid
+        // flat.
         const Eigen::Vector2d warp =
             (edgesOf(corners).transpose().inverse() * texture.row(0).transpose()).normalized();
         if (!(triangleArea(mesh.textureCoordinates[t]) > 0) || !warp.allFinite())

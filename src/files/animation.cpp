@@ -14,8 +14,7 @@ namespace drench {
 
 namespace {
 
-constexpr std::size_t maxBytesAllowed =
-    2'000'000'000;  // of which the sizes in a .glb file, 32 bits, still have room
+constexpr std::size_t maxBytesAllowed = 2'000'000'000;  // fits into the 32-bit sizes of a .glb file
 
 std::vector<float> flat(const std::vector<Eigen::Vector3f>& vectors) {
     std::vector<float> numbers;
@@ -24,7 +23,7 @@ std::vector<float> flat(const std::vector<Eigen::Vector3f>& vectors) {
     return numbers;
 }
 
-// Bytes of the weights of so many frames.
+// Bytes of the animation weights of this many frames.
 std::size_t weightBytes(std::size_t frames) {
     return frames * frames * sizeof(float);
 }
@@ -86,7 +85,7 @@ struct Animation::Recording {
         return floats * sizeof(float) + weightBytes(run.times.size());
     }
 
-    // The time of a frame, from the first on.
+    // The time of a frame relative to the first one.
     double checkedTime(double time) const {
         if (!std::isfinite(time)) refuse("animation: a frame's time is ", time, "; give seconds");
         if (run.times.empty()) return 0;

@@ -9,14 +9,14 @@ namespace drench::files {
 
 namespace {
 
-// A unit in which values may be written: value x factor / divisor is in the SI unit. Two numbers, so that decimal
-// fractions such as 102 g/m2 come out as the nearest double.
+// A unit of a value: value x factor / divisor is in the SI unit. There are two numbers so that decimal
+// fractions such as 102 g/m2 are converted to the nearest double.
 struct Unit {
     const char* name;
     double factor, divisor;
 };
 
-// Units of the same kind, the SI unit first.
+// Units of the same quantity, the SI unit first.
 using Kind = std::vector<Unit>;
 
 // Gram-force is 9.80665e-3 N, an ounce 28.349523125 g, a yard 0.9144 m (exact, by definition).
@@ -121,7 +121,7 @@ bool readQuantity(FieldReader& fields, const FabricParameter& parameter, Quantit
     if (found->is_object()) {
         fields.object(key, [&](FieldReader& inner) {
             for (const char* known : {"value", "unit", "provenance", "source"}) inner.any(known);
-            inner.finish();  // a key that is mistyped would otherwise pass for one that is missing
+            inner.finish();  // so that a misspelt key is not reported as a missing one
             read.value = readValue(inner, parameter, readUnit(inner, parameter));
             inner.choice("provenance", read.provenance, provenances());
             inner.string("source", read.source);

@@ -1,4 +1,4 @@
-// The parameters of a fabric as fields of a JSON object, for fabric files and the fabrics of scene files alike.
+// The parameters of a fabric as fields of a JSON object, for fabric files and scene files.
 #pragma once
 
 #include <drench/fabric.h>
@@ -11,22 +11,22 @@
 
 namespace drench::files {
 
-// Reads a parameter, if it is there: a number in its SI unit, which counts as given, or an object with `value` and, as
-// one likes, `unit`, `provenance` and `source`. The value that is there is left alone otherwise.
-// @return whether it was there
-// @throws std::invalid_argument as FieldReader, also for a unit of another kind of quantity
+// Reads a parameter, if present: a number in its SI unit, with the provenance "given", or an object with
+// `value` and, optionally, `unit`, `provenance` and `source`. If absent, the quantity is not changed.
+// @return whether it was present
+// @throws std::invalid_argument as FieldReader, also for a unit of another quantity
 bool readQuantity(FieldReader& fields, const FabricParameter& parameter, Quantity& quantity);
 
-// The same as JSON: a plain number if it is given and has no source.
+// Writes the parameter: a plain number if it is "given" and has no source.
 nlohmann::ordered_json quantityJson(const FabricParameter& parameter, const Quantity& quantity);
 
-// Reads how the threads hold together, if it is there.
+// Reads the construction, if present.
 void readConstruction(FieldReader& fields, Construction& construction);
 
-// Whether no law reads a parameter, so that a file may leave it out.
+// Whether no formula uses a parameter, so that a file may omit it.
 bool isInformationOnly(const FabricParameter& parameter);
 
-// Names of the units that a parameter may have, its SI unit first.
+// Names of the units of a parameter, its SI unit first.
 std::vector<std::string> unitsOf(const FabricParameter& parameter);
 
 // "measured", "textbook", "assumed" and "given".

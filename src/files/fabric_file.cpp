@@ -15,7 +15,7 @@ using files::FieldReader;
 
 constexpr files::JsonLimits limits{1u << 20, 8, 10'000};
 
-// The fabric that the values of a file change; none if all of them must be there.
+// The base fabric of a file; none if all values are required.
 bool readBase(FieldReader& fields, Fabric& fabric) {
     files::Names<std::string> presets;
     for (const std::string& preset : fabrics::names()) presets.emplace_back(preset, preset);
@@ -40,7 +40,7 @@ void readParameters(FieldReader& fields, Fabric& fabric, bool hasBase) {
     }
 }
 
-// @throws std::invalid_argument that says what is wrong
+// @throws std::invalid_argument with the reason
 Fabric parsed(std::string_view text) {
     const nlohmann::json json = files::parseJson(text, limits);
     FieldReader fields(json, "");
@@ -49,7 +49,7 @@ Fabric parsed(std::string_view text) {
     const bool hasBase = readBase(fields, fabric);
     fields.string("name", fabric.name);
     files::readConstruction(fields, fabric.construction);
-    // A key that is mistyped is said to be so, and not that the one which was meant is missing.
+    // A misspelt key is reported as such, and not as a missing key.
     for (const FabricParameter& parameter : fabricParameters()) fields.any(std::string(parameter.name));
     fields.finish();
     readParameters(fields, fabric, hasBase);

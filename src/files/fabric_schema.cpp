@@ -14,7 +14,7 @@ Json textSchema(const char* description) {
     return {{"description", description}, {"type", "string"}, {"maxLength", 1000}};
 }
 
-// What the objects of all parameters have in common.
+// The part of the schema that the objects of all parameters share.
 Json definitions() {
     const Json isMeasured = {{"properties", {{"provenance", {{"const", "measured"}}}}},
                              {"required", Json::array({"provenance"})}};

@@ -16,7 +16,7 @@ void check(const std::vector<ClothFrame>& sheets) {
     for (const ClothFrame& sheet : sheets) validate(sheet);
 }
 
-// Enough digits for single precision to come back as it was, and a point whatever the user's language.
+// Enough digits for an exact single-precision value, with a decimal point in every locale.
 std::ostringstream plainText() {
     std::ostringstream text;
     text.imbue(std::locale::classic());
@@ -35,7 +35,7 @@ void writeObj(const std::filesystem::path& path, const std::vector<ClothFrame>& 
     check(sheets);
     std::ostringstream text = plainText();
     text << "# Drench; metres, y is up\n";
-    std::size_t before = 1;  // vertices are counted through the file, from 1
+    std::size_t before = 1;  // vertices are numbered throughout the file, from 1
     for (const ClothFrame& sheet : sheets) {
         text << "o " << sheet.name << '\n';
         writeVectors(text, "v", sheet.positions);

@@ -19,14 +19,14 @@ int last(const List& list) {
     return static_cast<int>(list.size()) - 1;
 }
 
-// Puts arrays into the file's one buffer.
+// Appends arrays to the only buffer of the file.
 class Buffer {
   public:
     explicit Buffer(Model& model) : model_(model) { model.buffers.emplace_back(); }
 
     // Begins a view: a part of the buffer that accessors share.
-    // @param target  what it is used for: a constant of tinygltf, or 0
-    // @param stride  bytes from one element to the next; 0: they follow each other
+    // @param target  its use: a constant of tinygltf, or 0
+    // @param stride  bytes from one element to the next; 0: tightly packed
     void beginView(int target, std::size_t stride) {
         tinygltf::BufferView view;
         view.buffer = 0;
@@ -36,7 +36,7 @@ class Buffer {
         model_.bufferViews.push_back(view);
     }
 
-    // Adds an array to the view that was begun last. @return its accessor
+    // Adds an array to the current view. @return its accessor
     template <typename Number>
     int add(const std::vector<Number>& numbers, int components, int componentType, bool withRange) {
         tinygltf::BufferView& view = model_.bufferViews.back();
@@ -74,7 +74,7 @@ class Buffer {
     Model& model_;
 };
 
-// Writes one attribute: what it is in the first frame, and what has changed in each further one.
+// Writes one attribute: its values in the first frame, and the changes in each further frame.
 void addAttribute(Buffer& buffer, tinygltf::Primitive& primitive, const char* name, const Track& track) {
     const bool withRange = std::string(name) == "POSITION";
     const auto add = [&](const std::vector<float>& values) {
@@ -116,7 +116,7 @@ int addMaterial(Model& model, const RecordedSheet& sheet, std::size_t frames) {
     return last(model.materials);
 }
 
-// @return its node
+// @return index of the node
 int addSheet(Model& model, Buffer& buffer, const RecordedSheet& sheet, std::size_t frames) {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
@@ -138,7 +138,7 @@ int addSheet(Model& model, Buffer& buffer, const RecordedSheet& sheet, std::size
     return last(model.nodes);
 }
 
-// At the time of a frame its own target counts, at that of the first none.
+// At the time of a frame the weight of its own morph target is 1; at the time of the first frame all are 0.
 std::vector<float> weightsOf(std::size_t frames) {
     const std::size_t targets = frames - 1;
     std::vector<float> weights(frames * targets, 0.f);

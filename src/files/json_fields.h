@@ -1,4 +1,4 @@
-// The fields of a JSON object, read and written by the same code.
+// Fields of a JSON object; the same code reads and writes them.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 
 namespace drench::files {
 
-// From the least to the greatest value that a number may have.
+// Smallest and largest value of a number.
 struct Range {
     double min, max;
 };
@@ -23,8 +23,8 @@ struct Range {
 template <typename Value>
 using Names = std::vector<std::pair<std::string, Value>>;
 
-// An object, read key by key: what is not there leaves its value as it is. Every call throws
-// std::invalid_argument that names the key by its path, says what is wrong with its value and what may be given.
+// Reads an object, key by key. If a key is absent, the value is not changed. Every call throws
+// std::invalid_argument with the path of the key, the problem and the valid values.
 class FieldReader {
   public:
     static constexpr bool reads = true;
@@ -36,9 +36,9 @@ class FieldReader {
     void integer(const std::string& key, int& value, int min, int max);
     void boolean(const std::string& key, bool& value);
     void string(const std::string& key, std::string& value);
-    // Letters, digits, blanks, - and _, so that it may be part of a file's name or a column's.
+    // A name of letters, digits, spaces, - and _, so that it can be part of a file name or a column name.
     void name(const std::string& key, std::string& value);
-    // A list of so many numbers; `least` is how long the vector must be.
+    // A list of `Size` numbers; the vector must be at least `minLength` long.
     template <int Size>
     void vector(const std::string& key, Eigen::Matrix<double, Size, 1>& value, const Range& range,
                 double minLength = 0);
@@ -46,25 +46,25 @@ class FieldReader {
     void vectors(const std::string& key, std::vector<Eigen::Vector3d>& values, const Range& range);
     template <typename Value>
     void choice(const std::string& key, Value& value, const Names<Value>& names);
-    // Hands the fields of an object to a function, if it is there.
+    // Calls a function with the fields of an object, if present.
     template <typename Function>
     bool object(const std::string& key, Function function);
-    // A list of at most 1000 objects, each handed to a function.
+    // A list of at most 1000 objects; calls a function for each.
     template <typename Entry, typename Function>
     void list(const std::string& key, std::vector<Entry>& entries, Function function);
 
-    // The value of a key in whatever form; null if it is not there.
+    // The value of a key, of any type; null if absent.
     const nlohmann::json* any(const std::string& key);
     std::string pathOf(const std::string& key) const;
     template <typename... Parts>
     [[noreturn]] void refuse(const std::string& key, const Parts&... why) const {
         throw std::invalid_argument(textOf(pathOf(key), ' ', why...));
     }
-    // Refuses keys that nobody has asked for.
+    // Refuses keys that have not been read.
     void finish() const;
 
   private:
-    // The number at a place in a list.
+    // The number at an index of a list.
     double numberAt(const nlohmann::json& list, std::size_t index, const std::string& key,
                     const Range& range) const;
     [[noreturn]] void refuseUnknown(const std::string& key) const;
@@ -75,7 +75,7 @@ class FieldReader {
     std::set<std::string> known_;
 };
 
-// The same calls write an object.
+// Writes an object, with the same functions.
 class FieldWriter {
   public:
     static constexpr bool reads = false;
@@ -121,7 +121,7 @@ class FieldWriter {
     nlohmann::ordered_json object_ = nlohmann::ordered_json::object();
 };
 
-// "1.5", or what kind of thing it is.
+// "1.5", or the type of the value.
 std::string shown(const nlohmann::json& value);
 
 template <int Size>

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-// Watches over a text while it is read, value by value.
+// Checks a text value by value while it is parsed.
 class Watch {
   public:
     explicit Watch(const JsonLimits& limits) : limits_(limits) {}
@@ -45,8 +45,8 @@ class Watch {
   private:
     struct Level {
         bool isList;
-        std::size_t index;  // of the next entry
-        std::string key;    // of the value that comes
+        std::size_t index;  // index of the next entry
+        std::string key;    // key of the next value
         std::set<std::string> keys;
     };
 
@@ -80,7 +80,7 @@ std::string shortened(const std::string& text) {
     return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
-// What a parser says behind its own name and place.
+// The message of a parser, without its name and its position prefix.
 std::string reason(const std::string& message) {
     std::size_t from = message.find("] ");
     from = from == std::string::npos ? 0 : from + 2;

@@ -1,4 +1,4 @@
-// JSON as text, read with care and written for people.
+// JSON text: parsed with limits, written in a readable layout.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,21 +8,21 @@
 
 namespace drench::files {
 
-// Bounds on a text, so that none can exhaust the machine.
+// Limits of a text, so that memory and stack suffice.
 struct JsonLimits {
-    std::size_t bytes = 64u << 20;    // of the text
-    int depth = 16;                   // of lists and objects in each other
-    std::size_t values = 20'000'000;  // in all, lists and objects among them
+    std::size_t bytes = 64u << 20;    // size of the text
+    int depth = 16;                   // nesting of lists and objects
+    std::size_t values = 20'000'000;  // total number, including lists and objects
 };
 
-// Reads UTF-8 text in which no object has a key twice.
-// @throws std::invalid_argument that names line and column of broken syntax, or the key by its path
+// Parses UTF-8 text, and refuses duplicate keys.
+// @throws std::invalid_argument with line and column of a syntax error, or the path of the key
 nlohmann::json parseJson(std::string_view text, const JsonLimits& limits = {});
 
-// A key as messages name it: short, and without what could disturb a terminal.
+// A key for messages: shortened, and without control characters.
 std::string shownKey(const std::string& key);
 
-// Text with a line for each key; lists of plain values stay on one line.
+// Text with one line per key; lists of plain values are on one line.
 std::string prettyText(const nlohmann::ordered_json& value);
 
 }  // namespace drench::files

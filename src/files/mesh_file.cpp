@@ -20,7 +20,7 @@ constexpr std::size_t maxBytes = 256u << 20;
 
 using Corners = std::array<tinyobj::index_t, 3>;
 
-// Takes in the triangles of a file one by one, and leaves out what is no cloth.
+// Collects the triangles of a file one by one, and leaves out unsuitable ones.
 class Gatherer {
   public:
     Gatherer(const tinyobj::attrib_t& attributes, const MeshReadOptions& reading)
@@ -75,7 +75,7 @@ class Gatherer {
         return reading_.scale * Eigen::Vector3d(at[0], at[1], at[2]);
     }
 
-    // A height over its longest edge of less than a millionth of that edge is none.
+    // A triangle is degenerate if its height is less than a millionth of its longest edge.
     bool hasArea(const Corners& corners) const {
         const Eigen::Vector3d origin = position(corners[0].vertex_index);
         const Eigen::Vector3d a = position(corners[1].vertex_index) - origin,
@@ -89,7 +89,7 @@ class Gatherer {
         return {at[0], at[1]};
     }
 
-    // Nodes are the vertices that triangles have, in the order of the file.
+    // Nodes are the vertices that are used by triangles, in the order of the file.
     void numberNodes() {
         for (auto& [number, node] : nodes_) {
             node = static_cast<int>(file_.mesh.vertices.size());
@@ -113,7 +113,7 @@ void checkScale(const MeshReadOptions& reading) {
     refuse("MeshReadOptions::scale is ", reading.scale, "; give metres per unit, 1e-6 to 1e6");
 }
 
-// @throws std::invalid_argument that says what is wrong
+// @throws std::invalid_argument with the reason
 MeshFile parsed(std::string_view text, const MeshReadOptions& reading) {
     if (text.size() > maxBytes) throw std::invalid_argument("it has more than 256 MB");
     files::checkObj(text, reading);

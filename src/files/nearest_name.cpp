@@ -12,7 +12,7 @@ bool isSameLetter(char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-// Levenshtein's distance, by rows.
+// Levenshtein distance, row by row.
 std::size_t distance(std::string_view from, std::string_view to) {
     std::vector<std::size_t> row(to.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t(0));
@@ -31,7 +31,7 @@ std::size_t distance(std::string_view from, std::string_view to) {
 }  // namespace
 
 std::optional<std::string> nearestName(std::string_view word, const std::vector<std::string>& names) {
-    constexpr std::size_t longest = 100;  // of what is worth comparing
+    constexpr std::size_t longest = 100;  // of names that are compared
     if (word.size() > longest) return std::nullopt;
     std::size_t nearest = (word.size() + 2) / 3;
     std::optional<std::string> found;

@@ -1,4 +1,4 @@
-// What somebody most likely meant who mistyped a name.
+// Suggests a valid name for a misspelt one.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace drench::files {
 
-// The name that takes the fewest letters put in, left out or exchanged to come to; none if that is more than a third
-// of the word's letters, rounded up. Upper and lower case count as the same.
+// The name with the smallest edit distance (insertions, deletions, replacements) to a word; none if that
+// distance exceeds a third of the word's letters, rounded up. Not case-sensitive.
 std::optional<std::string> nearestName(std::string_view word, const std::vector<std::string>& names);
 
 }  // namespace drench::files

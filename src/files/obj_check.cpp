@@ -14,12 +14,12 @@ namespace {
 
 constexpr long maxVertices = 1'000'000;
 
-// Words of a line, one after the other.
+// The words of a line, one after the other.
 class Words {
   public:
     explicit Words(std::string_view line) : rest_(line) {}
 
-    // Empty at the end, and where a comment begins.
+    // Empty at the end of the line, and at a comment.
     std::string_view next() {
         constexpr const char* blanks = " \t";
         const std::size_t from = rest_.find_first_not_of(blanks);
@@ -105,7 +105,7 @@ class Check {
         ++faces_;
     }
 
-    // 3, 3/1, 3/1/2 or 3//2; negative ones count back from the last.
+    // A corner: 3, 3/1, 3/1/2 or 3//2; negative numbers count back from the last vertex.
     void corner(std::string_view word) const {
         const std::size_t slash = word.find('/');
         index(word, word.substr(0, slash), vertices_, "vertices");

@@ -1,4 +1,4 @@
-// Checks OBJ text by line: what tinyobjloader would take for 0 or pass over.
+// Checks OBJ text line by line for errors that tinyobjloader would ignore or read as 0.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace drench::files {
 // @throws std::invalid_argument that names the line, as `meshFromText`
 void checkObj(std::string_view text, const MeshReadOptions& reading);
 
-// The text without what follows a # that begins a line or stands after a blank; tinyobjloader takes comments behind
-// faces for corners. Lines stay as many.
+// The text without comments that start at # at the start of a line or after a space, because tinyobjloader
+// reads comments after faces as corners. The number of lines is not changed.
 std::string withoutComments(std::string_view text);
 
 }  // namespace drench::files

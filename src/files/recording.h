@@ -1,4 +1,4 @@
-// Frames of sheets as arrays of single precision, as glTF wants them.
+// Frames of sheets as single-precision arrays, as in glTF.
 #pragma once
 
 #include <array>
@@ -8,10 +8,11 @@
 
 namespace drench::files {
 
-// One attribute of a sheet's nodes in all frames. What does not change from one frame to the next is there once.
+// One attribute of the nodes of a sheet in all frames. Data that do not change from one frame to the next are
+// stored once.
 struct Track {
-    int components = 3;                      // numbers a node
-    std::vector<std::vector<float>> blocks;  // of all nodes, in different states
+    int components = 3;                      // numbers per node
+    std::vector<std::vector<float>> blocks;  // values of all nodes, one block for each distinct state
     std::vector<std::size_t> blockOfFrame;
 
     // Adds a frame.
@@ -27,16 +28,16 @@ struct RecordedSheet {
     std::vector<std::array<int, 3>> triangles;
     std::size_t nodes = 0;
     Track positions, normals, colours, wetness{1, {}, {}};
-    double glossSum = 0;  // over the frames, of its mean over the nodes
+    double glossSum = 0;  // sum over the frames of the mean over the nodes
 };
 
-// Sheets, and the times of their frames in s, from 0 on.
+// Sheets, and the times of their frames relative to the first, s.
 struct RecordedRun {
     std::vector<double> times;
     std::vector<RecordedSheet> sheets;
 };
 
-// The run as a binary glTF file; see `drench::Animation`.
+// The recording as a binary glTF file; see `drench::Animation`.
 std::string glbOf(const RecordedRun& run);
 
 }  // namespace drench::files

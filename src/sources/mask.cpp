@@ -29,7 +29,8 @@ std::runtime_error noPicture(const std::filesystem::path& path) {
 }
 
 std::vector<char> readBytes(const std::filesystem::path& path) {
-    // A folder opens like a file on some systems and only fails later, without its name.
+    // On some systems a folder can be opened like a file, and reading fails later with a message without its
+    // name.
     if (std::filesystem::is_directory(path)) throw unreadable(path, "it is a folder; give a file");
     std::ifstream file(path, std::ios::binary);
     if (!file) throw unreadable(path, "no such file, or not readable");
@@ -40,20 +41,20 @@ std::vector<char> readBytes(const std::filesystem::path& path) {
     return bytes;
 }
 
-// Luminance with the weights of Rec. 709, so that greys stay what they are; the alpha tells how much counts.
+// Luminance with the weights of Rec. 709, so that grey values are not changed; multiplied by the alpha value.
 float greyOf(const stbi_us* rgba) {
     const double luminance = 0.2126 * rgba[0] + 0.7152 * rgba[1] + 0.0722 * rgba[2];
     return static_cast<float>(std::min(luminance * rgba[3] / (65535.0 * 65535.0), 1.0));
 }
 
-// The two pixels on either side of a place along one axis, and how far the place is towards the second.
+// The two pixels on either side of a position along one axis, and the weight of the second.
 struct Between {
     std::size_t first;
     std::size_t second;
     double towardsSecond;
 };
 
-// @param place  0 at the first pixel's outer edge, 1 at the last one's
+// @param place  0 at the outer edge of the first pixel, 1 at that of the last
 Between between(double position, int pixels) {
     const double last = pixels - 1;
     const double centred = std::clamp(position * pixels - 0.5, 0.0, last);
@@ -62,7 +63,7 @@ Between between(double position, int pixels) {
             centred - first};
 }
 
-// stb_image knows more formats, but writes beyond its buffers in some of them.
+// stb_image supports more formats, but in some of them it writes beyond its buffers.
 void checkFormat(const std::filesystem::path& path, const std::vector<char>& bytes) {
     using namespace std::string_view_literals;
     const std::string_view start(bytes.data(), bytes.size());
@@ -71,9 +72,9 @@ void checkFormat(const std::filesystem::path& path, const std::vector<char>& byt
     throw unreadable(path, "it is no picture that can be read here; give a PNG, JPEG or BMP");
 }
 
-// stb_image makes room for as many bytes as a part of a PNG says that it has; here they must be there.
+// stb_image allocates as many bytes as the header of a PNG chunk states; here they are checked to exist.
 void checkParts(const std::filesystem::path& path, const std::vector<char>& bytes) {
-    constexpr std::size_t signature = 8, around = 12;  // bytes: before the parts, and of each one's frame
+    constexpr std::size_t signature = 8, around = 12;  // bytes: before the chunks, and around each one
     if (bytes[0] == 'B' || bytes[0] == '\xff') return;
     const auto byte = [&](std::size_t position) {
         return std::size_t(static_cast<unsigned char>(bytes[position]));
@@ -88,7 +89,7 @@ void checkParts(const std::filesystem::path& path, const std::vector<char>& byte
     }
 }
 
-// Before anything is unpacked: a small file may say that it has more pixels than there is memory.
+// Checked before decompression: a small file may declare more pixels than fit into memory.
 void checkSize(const std::filesystem::path& path, const std::vector<char>& bytes) {
     constexpr std::int64_t max = 1 << 25;
     int width = 0, height = 0, channels = 0;
@@ -127,7 +128,7 @@ Mask readMask(const std::filesystem::path& path) {
     checkSize(path, bytes);
     Mask mask;
     int channels = 0;
-    // Sixteen bits keep the steps of a fine picture; those of eight come out the same either way.
+    // Sixteen bits keep the full depth of the picture; 8-bit pictures are not changed by this.
     const std::unique_ptr<stbi_us, void (*)(void*)> pixels(
         stbi_load_16_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
                                  static_cast<int>(bytes.size()), &mask.width, &mask.height, &channels, 4),

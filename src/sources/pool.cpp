@@ -21,7 +21,7 @@ void checkSettings(const Pool& pool) {
     }
 }
 
-// The axis of the world that is nearest to the way up. Of equals it is y, then z, as most worlds have it.
+// The world axis that is nearest to the upward direction; if several are equally near, y, then z.
 int axisAlong(const Eigen::Vector3d& up) {
     int found = 1;
     for (const int axis : {2, 0})
@@ -29,7 +29,7 @@ int axisAlong(const Eigen::Vector3d& up) {
     return found;
 }
 
-// Unit vectors along the two sides of the rectangle: see the comment at Pool::from.
+// Unit vectors along the two edges of the rectangle; see Pool::from.
 std::array<Eigen::Vector3d, 2> horizontalAxes(const Eigen::Vector3d& up) {
     const int along = axisAlong(up);
     Eigen::Vector3d first = Eigen::Vector3d::Unit(along == 0 ? 1 : 0);
@@ -40,9 +40,10 @@ std::array<Eigen::Vector3d, 2> horizontalAxes(const Eigen::Vector3d& up) {
     return {first, second};
 }
 
-// Film on a face that moves through the surface, m: what Landau & Levich (1942) say of a plate that is drawn out
-// of a liquid. What would run off within the step is not drawn at all, or cloth grew heavy and light again: after
-// a time t there is (mu L / (rho g t))^1/2 at a length L below the upper edge (Jeffreys 1930).
+// Film on a face that moves through the surface, m: the formula of Landau & Levich (1942) for a plate that is
+// drawn out of a liquid. Without the film that runs off within the step; otherwise the cloth would alternate
+// between heavy and light. After a time t that leaves (mu L / (rho g t))^1/2 at a distance L below the upper
+// edge (Jeffreys 1930).
 double drawnFilm(double speed, const SheetPose& sheet, double dt) {
     const double weight = waterDensity * sheet.gravity;
     const double capillaryLength = std::sqrt(waterSurfaceTension / weight);
@@ -52,22 +53,24 @@ double drawnFilm(double speed, const SheetPose& sheet, double dt) {
     return std::clamp(std::min(drawn, left), retainedFilmThickness, thickestFilm);
 }
 
-// Water reaches up to cloth as a meniscus does. What floats is in it, however high: thick cloth that is mostly
-// air floats higher. Cloth that bobs comes a little higher still.
+// Water rises to cloth slightly above the surface as a meniscus. Floating cloth counts as in contact at any
+// height, because thick cloth that is mostly air floats higher; with a tolerance for bobbing.
 bool touches(double depth, double fraction, const SheetPose& sheet) {
     constexpr double meniscus = 2.7e-3;  // m: the capillary length, (gamma / (rho g))^1/2 on earth (textbook)
     constexpr double bobbing = 0.9;      // assumed
     return depth > -meniscus || fraction > bobbing * sheet.floatingFraction;
 }
 
-// What pores lack comes over the faces, from where the step takes it up at the pace of the fabric's wetting.
+// The water that the pores lack is added to the film, from which they absorb it with the fabric's wetting
+// time.
 void wet(const SheetPose& sheet, std::size_t node, double dt, Supply& supply) {
     const double area = sheet.mesh.areas[node];
     const double missing = std::max(0.0, sheet.poreCapacity * area - sheet.poreMass[node]);
     const double soaking = missing * -std::expm1(-dt / sheet.wettingTime);
     const double drawn = 2 * waterDensity * area * drawnFilm(sheet.velocities[node].norm(), sheet, dt);
     const double surplus = sheet.filmMass[node] - (drawn + soaking);
-    // At rest, as the pool is: were it to come with the cloth's velocity, cloth that vibrates would gain energy.
+    // At rest, as the pool is: if it arrived with the velocity of the cloth, vibrating cloth would gain
+    // energy.
     if (surplus < 0) supply.addFilm(node, -surplus, Eigen::Vector3d::Zero());
     if (surplus > 0) supply.takeFilm(node, surplus);
     supply.cover(node, 1);
@@ -78,7 +81,7 @@ void wet(const SheetPose& sheet, std::size_t node, double dt, Supply& supply) {
 void Pool::supply(const SheetPose& sheet, double dt, Supply& supply) {
     checkSettings(*this);
     checkStep(dt);
-    // Without gravity nothing keeps a pool level, or together.
+    // Without gravity a pool has no level surface.
     if (sheet.up.isZero() || !(sheet.gravity > 0)) return;
     const auto axes = horizontalAxes(sheet.up);
     for (std::size_t node = 0; node < sheet.mesh.size(); ++node) {

@@ -12,11 +12,12 @@ namespace drench {
 
 namespace {
 
-// Cloth stretched to more than this many times its rest area catches no more than it does at that.
+// Cloth stretched to more than this many times its rest area catches no more than at this ratio.
 constexpr double maxStretch = 1.5;
-// A ray for shelter starts so far off the node that things which touch the cloth do not count, m.
+// Distance from the node at which a ray for shelter starts, m, so that bodies in contact with the cloth do
+// not count.
 constexpr double rayStart = 0.01;
-// Rain that falls at a flatter slope than 1 in 100 would ask for endless water on anything upright.
+// Rain that falls at a slope below 1 in 100 would need an unlimited amount of water on vertical surfaces.
 constexpr double minSteepness = 0.01;
 
 void checkSettings(const Rain& rain) {
@@ -27,7 +28,7 @@ void checkSettings(const Rain& rain) {
     checkRange("Rain::maxDrops", rain.maxDrops, "", 1, 1e6);
 }
 
-// How much of the fall goes down. Without gravity there is no down but the fall itself.
+// Downward fraction of the direction of fall. Without gravity the direction of fall itself counts as down.
 double steepness(const Rain& rain, const Eigen::Vector3d& fall, const Eigen::Vector3d& up) {
     if (up.isZero()) return 1;
     const double down = -fall.dot(up);
@@ -36,7 +37,8 @@ double steepness(const Rain& rain, const Eigen::Vector3d& fall, const Eigen::Vec
            "; give it at least ", minSteepness, " of its speed downwards");
 }
 
-// A Poisson number. Past a million it scatters by less than a thousandth, which is not worth a draw.
+// A Poisson random number. Above a million its relative standard deviation is less than a thousandth, so the
+// mean is returned.
 double randomCount(double mean, std::mt19937& random) {
     if (!(mean > 0)) return 0;
     if (mean > 1e6) return mean;
@@ -57,13 +59,14 @@ void Rain::supply(const SheetPose& sheet, double dt, Supply& supply) {
     checkSettings(*this);
     checkStep(dt);
     const Eigen::Vector3d fall = velocity.normalized();
-    // 1 mm on level ground is 1 kg/m2; slanted rain brings as much to the ground, so more across its fall.
+    // 1 mm on level ground is 1 kg/m2; slanted rain brings the same to the ground, and so more per area
+    // perpendicular to its fall.
     const double fluxAcross = intensity / 3600 / steepness(*this, fall, sheet.up);
     sumAreas(sheet.mesh.areas);
     if (areaUpTo_.empty() || dt == 0) return;
 
-    // More drops are drawn than can land, and each is kept as often as its node really stands in its way:
-    // this gives every node its own Poisson stream without a visit to every node.
+    // More drops are drawn than can land, and each is kept with the probability that its node intercepts it.
+    // This gives each node its own Poisson process without a loop over all nodes.
     const double total = areaUpTo_.back();
     const double drawn = randomCount(fluxAcross * total * maxStretch * dt / dropMass, random_);
     const int count = static_cast<int>(std::min(drawn, static_cast<double>(maxDrops)));
@@ -80,7 +83,7 @@ void Rain::supply(const SheetPose& sheet, double dt, Supply& supply) {
     }
 }
 
-// The standard shows the state of a generator as text only: whole numbers with spaces between them.
+// The standard library gives access to the state of a generator only as text: integers separated by spaces.
 void Rain::save(StateWriter& writer) const {
     std::stringstream text;
     text.imbue(std::locale::classic());
@@ -99,7 +102,8 @@ void Rain::load(StateReader& reader) {
     random_ = random;
 }
 
-// Summed anew at every step, which costs less than one ray: the same rain may fall on several sheets.
+// Computed again in every step, which costs less than one ray, because the same rain may fall on several
+// sheets.
 void Rain::sumAreas(const std::vector<double>& areas) {
     areaUpTo_.resize(areas.size());
     std::partial_sum(areas.begin(), areas.end(), areaUpTo_.begin());

@@ -10,7 +10,7 @@ namespace drench {
 namespace {
 
 void checkMask(const Mask& mask) {
-    mask.at(0, 0);  // refuses a mask without pixels
+    mask.at(0, 0);  // throws for a mask without pixels
     for (const float value : mask.values) checkRange("a value of a TimedSoak's mask", value, "", 0, 1);
 }
 
@@ -21,7 +21,8 @@ void refuseMissingNodes(const std::vector<std::size_t>& nodes, std::size_t size)
                                       "; nodes count from 0");
 }
 
-// Mean value of the mask at the triangle corners of each node: at a seam a node has several places.
+// Mean value of the mask at the triangle corners of each node; at a seam a node has several material
+// coordinates.
 std::vector<double> valuesOfNodes(const Mask& mask, const ClothMesh& mesh) {
     Eigen::Vector2d min = Eigen::Vector2d::Constant(1e300), max = -min;
     for (const auto& corners : mesh.coordinates)
@@ -50,7 +51,7 @@ TimedSoak::TimedSoak(std::vector<std::size_t> nodes, double mass, double duratio
     checkRange("the mass of a TimedSoak", mass, "kg", 0, 1e6);
     checkRange("the duration of a TimedSoak", duration, "s", 0, 1e9);
     if (nodes_.empty()) refuse("a TimedSoak has no nodes; give at least one");
-    // A node that is named twice is still one node.
+    // Duplicate indices count once.
     std::sort(nodes_.begin(), nodes_.end());
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
 }
@@ -70,7 +71,7 @@ void TimedSoak::supply(const SheetPose& sheet, double dt, Supply& supply) {
     checkStep(dt);
     if (!weighed_) weigh(sheet);
     if (dt == 0 || finished()) return;
-    // Steps add up to all of it but for rounding; the last one brings what that leaves out.
+    // The steps add up to the whole except for rounding; the last step adds the rest.
     double next = dt < duration_ ? given_ + dt / duration_ : 1;
     if (next > 1 - 1e-12) next = 1;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {

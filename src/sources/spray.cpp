@@ -10,9 +10,10 @@ namespace drench {
 
 namespace {
 
-// Nearer than this a node counts as this far away, m: at the nozzle itself it would fill the whole view.
+// Smallest distance that is used for a node, m: a node at the nozzle itself would fill the whole solid angle.
 constexpr double nearest = 1e-3;
-// A ray for shelter ends so far before the node that things which touch the cloth do not count, m.
+// Distance from the node at which a ray for shelter ends, m, so that bodies in contact with the cloth do not
+// count.
 constexpr double rayEnd = 0.01;
 
 void checkSettings(const Spray& spray) {
@@ -26,7 +27,7 @@ void checkSettings(const Spray& spray) {
     checkRange("Spray::raysPerStep", spray.raysPerStep, "", 1, 1e6);
 }
 
-// Unit vector from the nozzle to a place; at the nozzle itself, along the cone.
+// Unit vector from the nozzle to a position; at the nozzle itself, along the axis of the cone.
 Eigen::Vector3d directionTo(const Spray& spray, const Eigen::Vector3d& position) {
     const Eigen::Vector3d offset = position - spray.origin;
     const double distance = offset.norm();
@@ -34,7 +35,7 @@ Eigen::Vector3d directionTo(const Spray& spray, const Eigen::Vector3d& position)
     return spray.direction.normalized();
 }
 
-// Solid angle of a node as seen from the nozzle, sr; 0 outside the cone.
+// Solid angle of a node seen from the nozzle, sr; 0 outside the cone.
 double solidAngle(const Spray& spray, const SheetPose& sheet, std::size_t node) {
     if (!(sheet.mesh.areas[node] > 0)) return 0;
     const Eigen::Vector3d& position = sheet.positions[node];
@@ -77,8 +78,8 @@ void Spray::save(StateWriter& writer) const {
 void Spray::load(StateReader& reader) {
     const auto next = reader.read<std::uint64_t>();
     std::vector<char> sheltered = reader.readMany<char>();
-    nextRay_ = static_cast<std::size_t>(next);  // beyond the last node it begins again
-    sheltered_ = std::move(sheltered);          // for another number of nodes it is asked for anew
+    nextRay_ = static_cast<std::size_t>(next);  // continues at the first node after the last one
+    sheltered_ = std::move(sheltered);          // tested again if the number of nodes has changed
 }
 
 void Spray::distribute(const SheetPose& sheet) {
@@ -86,7 +87,7 @@ void Spray::distribute(const SheetPose& sheet) {
     fractions_.resize(sheet.mesh.size());
     for (std::size_t node = 0; node < fractions_.size(); ++node)
         fractions_[node] = solidAngle(*this, sheet, node) / cone;
-    // Folds behind folds and nodes at the nozzle ask for more than there is.
+    // Folds behind folds, and nodes at the nozzle, may add up to more than the cone.
     const double sum = std::accumulate(fractions_.begin(), fractions_.end(), 0.0);
     if (sum > 1)
         for (double& fraction : fractions_) fraction /= sum;

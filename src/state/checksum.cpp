@@ -1,6 +1,6 @@
 #include "state/checksum.h"
 
-#define XXH_INLINE_ALL  // so that nobody who links with Drench needs the library
+#define XXH_INLINE_ALL  // so that applications need not link the library
 #include <xxhash.h>
 
 namespace drench {

@@ -6,7 +6,7 @@
 
 namespace drench {
 
-// XXH3 with 64 bits.
+// XXH3, 64 bits.
 std::uint64_t checksumOf(std::string_view bytes);
 
 }  // namespace drench

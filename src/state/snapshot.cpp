@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As PNG begins: no text, and spoilt by whatever takes it for one.
+// Similar to the signature of PNG: not text, and damaged by any conversion of line ends.
 constexpr std::string_view magic =
     "\x89"
     "DRN"
     "CH\r\n";
 constexpr std::size_t checksumSize = sizeof(std::uint64_t);
-// The size stands where it can be compared with what there is before anything else is believed.
+// The size is stored near the start, and is compared with the actual size before further fields are read.
 constexpr std::size_t sizeAt = 16, smallest = sizeAt + 8 + checksumSize;
 
 template <typename... Parts>

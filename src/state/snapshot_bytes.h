@@ -1,4 +1,4 @@
-// Puts the bytes of a snapshot together.
+// Assembles the bytes of a snapshot.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace drench {
 
-// What tells foreign snapshots; see Snapshot.
+// Fields that identify a snapshot; see Snapshot.
 struct SnapshotHead {
     int precision;
     std::uint64_t nodes, links, faces, topology;

@@ -1,4 +1,4 @@
-// What classes keep from step to step, named once for saving, checking and restoring.
+// Saves, checks and restores the state of classes with a single list of their members.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,9 +14,10 @@
 
 namespace drench {
 
-// One pass over a state. A class that has one names its members, one after the other, in a function
-// `state(StatePass&)`, a friend of this; the kind of pass says what becomes of them. A saved state is first checked
-// as a whole, which changes nothing, and then restored, which nothing can stop any more.
+// One pass over a state. A class with state passes its members, one after the other, to the functions below,
+// in its own function `state(StatePass&)`, which has access through a friend declaration. The kind of the
+// pass determines what happens to them. A saved state is first checked completely, which changes nothing;
+// restoring it after that cannot fail.
 class StatePass {
   public:
     enum class Kind { save, check, restore };
@@ -32,8 +33,8 @@ class StatePass {
         part.state(*this);
     }
 
-    // What is being saved, or was.
-    // @throws std::runtime_error for a saved value that is not within the limits
+    // The value that is being saved, or the saved one.
+    // @throws std::runtime_error for a saved value out of range
     template <typename Number>
     Number value(Number now, double min = -unlimited, double max = unlimited) {
         if (saves()) {
@@ -49,7 +50,7 @@ class StatePass {
         writer_->write(now);
         return now;
     }
-    // The same for a member, which it restores.
+    // The same for a member, which is set in a restoring pass.
     template <typename Number>
     void number(Number& member, double min = -unlimited, double max = unlimited) {
         const Number passed = value(member, min, max);
@@ -60,7 +61,7 @@ class StatePass {
         std::string passed = value(member);
         if (restores()) member = std::move(passed);
     }
-    // An index or a size, in 8 bytes on every machine.
+    // An index or a size, as 8 bytes on every machine.
     void index(std::size_t& member, std::size_t max) {
         const auto passed = value(static_cast<std::uint64_t>(member), 0, double(max));
         if (restores()) member = static_cast<std::size_t>(passed);
@@ -69,12 +70,12 @@ class StatePass {
         constexpr double farthest = 1e15;
         for (double& component : member) number(component, -farthest, farthest);
     }
-    // As many as there are now.
+    // All elements of a vector whose size does not change.
     template <typename Number>
     void numbers(std::vector<Number>& values, double min = -unlimited, double max = unlimited) {
         for (Number& value : values) number(value, min, max);
     }
-    // How many things follow. @param now  how many there are  @param most  may be
+    // A number of elements. @param now  present number  @param max  largest valid number
     std::size_t count(std::size_t now, std::size_t max = std::numeric_limits<std::size_t>::max()) {
         if (saves()) {
             writer_->write(static_cast<std::uint64_t>(now));
@@ -84,7 +85,7 @@ class StatePass {
         if (read > max) refuseSaved(read, std::size_t{0}, max);
         return static_cast<std::size_t>(read);
     }
-    // As many as there were. @param each  names the members of an item
+    // A list whose saved length may differ. @param each  passes the members of an item
     template <typename Item, typename Each>
     void list(std::vector<Item>& items, Each each,
               std::size_t max = std::numeric_limits<std::size_t>::max()) {
@@ -92,7 +93,7 @@ class StatePass {
         if (restores()) items.clear();
         for (std::size_t i = 0; i < size; ++i) {
             Item unused{};
-            if (restores()) items.emplace_back();  // one by one: bytes that are missing take up no memory
+            if (restores()) items.emplace_back();  // one by one, so that missing bytes allocate no memory
             each(saves() ? items[i] : restores() ? items.back() : unused);
         }
     }

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where a file stands: a link is followed, so that it goes on being one.
+// The target of a path: symbolic links are followed, so that they remain links.
 fs::path resolved(const fs::path& path) {
     std::error_code problem;
     if (!fs::is_symlink(path, problem)) return path;
@@ -22,7 +22,7 @@ fs::path resolved(const fs::path& path) {
     return problem ? path : target;
 }
 
-// The name under which a file is written until it is whole.
+// The temporary name of a file while it is being written.
 fs::path unfinished(const fs::path& path) {
     std::random_device lot;
     return path.parent_path() / textOf("drench-", lot(), "-", lot(), ".part");

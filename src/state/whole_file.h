@@ -1,5 +1,4 @@
-// Files that are read whole, and appear under their names only once they are whole. A name that is a link stands for
-// where it points.
+// Files that are read completely, and written atomically. If a path is a symbolic link, its target is used.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +8,15 @@
 
 namespace drench::files {
 
-// Makes sure that a file can be written under a name, before the work that it is for: creates the folders above it.
-// What stands there already stays as it is. Throws std::runtime_error that names the path and says what is in the way.
+// Checks that a file can be written, before the work that produces it, and makes missing parent folders. An
+// existing file is not changed. Throws std::runtime_error with the path and the reason.
 void checkWritable(const std::filesystem::path& path);
 
-// Writes a file. Until it is whole it has another name, which nothing else has, beside the final one. Throws
-// std::runtime_error as checkWritable, and when the disk is full; nothing unfinished is then left.
+// Writes a file atomically: under a unique temporary name in the same folder, which is then renamed. Throws
+// std::runtime_error as checkWritable, and when the disk is full; the temporary file is then removed.
 void writeWhole(const std::filesystem::path& path, std::string_view contents);
 
-// Reads all of a file of at most so many bytes. Throws std::invalid_argument that says what is wrong with it, and
-// leaves it to the caller to say with which.
+// Reads a file of at most `maxBytes`. Throws std::invalid_argument with the reason; the caller adds the path.
 std::string readWhole(const std::filesystem::path& path, std::size_t maxBytes);
 
 }  // namespace drench::files

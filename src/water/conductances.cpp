@@ -12,7 +12,7 @@ namespace drench {
 
 namespace {
 
-// Side 3 t + c of triangle t runs from its corner c to the next.
+// Half-edge 3 t + c of triangle t runs from its corner c to the next corner.
 using HalfEdge = int;
 constexpr HalfEdge none = -1;
 
@@ -28,7 +28,8 @@ HalfEdge sideOpposite(const EdgeTriangle& at, bool isReversed) {
     return static_cast<HalfEdge>(3 * at.triangle + (isReversed ? 4 - at.apex : at.apex + 1) % 3);
 }
 
-// Triangles known by the lengths of their half-edges alone, which may be cut anew within the surface.
+// Triangles that are defined only by the lengths of their half-edges, whose edges may be flipped within the
+// surface.
 class IntrinsicTriangles {
   public:
     IntrinsicTriangles(const ClothMesh& mesh, double scaleWarp, double scaleWeft) {
@@ -42,11 +43,11 @@ class IntrinsicTriangles {
         if (turnAlike(reversed)) cutAndJoin();
     }
 
-    // Flips half-edges until none has angles opposite to it of more than 180 degrees together.
+    // Flips edges until the two angles opposite to each add up to at most 180 degrees.
     void makeDelaunay() {
         std::deque<HalfEdge> open;
         for (HalfEdge halfEdge = 0; halfEdge < halfEdges(); ++halfEdge) open.push_back(halfEdge);
-        // Ends by itself; the bound only guards against lengths that contradict each other.
+        // The loop always ends; the limit only guards against inconsistent lengths.
         for (long budget = 100L * halfEdges(); !open.empty() && budget > 0; --budget) {
             const HalfEdge halfEdge = open.front();
             open.pop_front();
@@ -75,7 +76,7 @@ class IntrinsicTriangles {
     HalfEdge partner(HalfEdge halfEdge) const { return partner_[static_cast<std::size_t>(halfEdge)]; }
     HalfEdge twin(HalfEdge halfEdge) const { return twin_[static_cast<std::size_t>(halfEdge)]; }
 
-    // Heron's formula in Kahan's order, which needles do not spoil.
+    // Heron's formula in Kahan's order, which is accurate for needle-shaped triangles.
     static double areaOf(double a, double b, double c) {
         if (a < b) std::swap(a, b);
         if (b < c) std::swap(b, c);
@@ -101,8 +102,8 @@ class IntrinsicTriangles {
         }
     }
 
-    // Finds the triangles to reverse so that neighbours go round in the same sense, which flipping needs; a
-    // mesh may have them mixed. @return whether there are any
+    // Finds the triangles to reverse so that neighbours have the same orientation, which flipping requires;
+    // the orientations of a mesh may be mixed. @return whether there are any
     bool turnAlike(std::vector<char>& reversed) const {
         std::vector<char> seen(reversed.size(), 0);
         std::vector<std::size_t> open;
@@ -130,7 +131,7 @@ class IntrinsicTriangles {
         return any;
     }
 
-    // Pairs half-edges along each other, where there are two to an edge.
+    // Pairs the half-edges of each edge that has exactly two.
     void joinAlong(const MeshEdges& edges, const std::vector<char>& reversed) {
         partner_.assign(from_.size(), none);
         twin_.assign(from_.size(), none);
@@ -158,8 +159,8 @@ class IntrinsicTriangles {
         join(halfEdge, itsTwin);
     }
 
-    // Length of the other diagonal of two triangles laid side by side: `shared` the half-edge between them, from its start
-    // the two half-edges `upper` and `lower`, which meet `upperEnd` and `lowerEnd` at its end.
+    // Length of the other diagonal of two triangles laid flat: `shared` is the half-edge between them;
+    // `upper` and `lower` are the half-edges from its start, `upperEnd` and `lowerEnd` those to its end.
     static double otherDiagonal(double shared, double upper, double upperEnd, double lower, double lowerEnd) {
         const auto apex = [shared](double start, double end) {
             const double x = (start * start - end * end + shared * shared) / (2 * shared);
@@ -170,7 +171,7 @@ class IntrinsicTriangles {
         return std::hypot(x1 - x2, y1 + y2);
     }
 
-    // Whether there are two different triangles at a half-edge, joined nowhere else.
+    // Whether a half-edge has two different triangles that have no other edge in common.
     bool flippable(HalfEdge halfEdge) const {
         const HalfEdge other = twin(halfEdge);
         if (other == none || other / 3 == halfEdge / 3) return false;
@@ -181,7 +182,7 @@ class IntrinsicTriangles {
         return true;
     }
 
-    // Replaces the half-edge between two triangles by the other diagonal of their quadrilateral.
+    // Replaces the edge between two triangles by the other diagonal of their quadrilateral.
     void flip(HalfEdge halfEdge) {
         const HalfEdge other = twin(halfEdge);
         // Triangles (a, b, c) and (b, a, d) become (d, c, a) and (c, d, b).
@@ -206,16 +207,17 @@ class IntrinsicTriangles {
     }
 
     std::vector<int> from_;
-    std::vector<double> length_;      // in which the permeability is the same in all directions
+    std::vector<double> length_;      // scaled so that the permeability is isotropic
     std::vector<double> restLength_;  // m
-    std::vector<HalfEdge> partner_;   // as cut first, the other half-edge along the same edge
-    std::vector<HalfEdge> twin_;      // the same as it is now, in the opposite sense
+    std::vector<HalfEdge> partner_;   // initial pairing: the other half-edge of the same edge
+    std::vector<HalfEdge> twin_;      // present pairing, with opposite orientation
 };
 
 }  // namespace
 
 std::vector<Edge> conductances(const ClothMesh& mesh, double permeabilityWarp, double permeabilityWeft) {
-    // In lengths scaled so, the permeability is the mean everywhere, and the elements are those of an isotropic cloth.
+    // In lengths scaled in this way the permeability equals the mean in all directions, and the elements are
+    // those of an isotropic cloth.
     const double mean = std::sqrt(permeabilityWarp * permeabilityWeft);
     IntrinsicTriangles triangles(mesh, std::sqrt(mean / permeabilityWarp),
                                  std::sqrt(mean / permeabilityWeft));
@@ -224,7 +226,7 @@ std::vector<Edge> conductances(const ClothMesh& mesh, double permeabilityWarp, d
     std::vector<Edge> halfEdges;
     for (HalfEdge halfEdge = 0; halfEdge < triangles.halfEdges(); ++halfEdge) {
         const auto [a, b] = std::minmax({triangles.from(halfEdge), triangles.from(nextHalfEdge(halfEdge))});
-        if (a == b) continue;  // round a tube of one cell, back to where it came from
+        if (a == b) continue;  // around a tube of one cell, back to the same node
         halfEdges.push_back(
             {a, b, 0.5 * mean * triangles.cotangent(halfEdge), triangles.restLength(halfEdge)});
     }

@@ -26,12 +26,12 @@ double saturatedVapourDensity(double celsius) {
     return pressure / (vapourGasConstant * (celsius + 273.15));
 }
 
-// Heat that a kilogram of water takes to evaporate, J/kg.
+// Latent heat of evaporation of water, J/kg.
 double latentHeat(double celsius) {
     return 2.501e6 - 2361 * celsius;
 }
 
-// Convection of a flat plate in a wind along it, W/(m2 K).
+// Heat transfer coefficient of a flat plate in a wind along it, W/(m2 K).
 double forcedHeatTransfer(double speed, double length) {
     const double reynolds = speed * length / airKinematicViscosity;
     const double profile =
@@ -39,36 +39,36 @@ double forcedHeatTransfer(double speed, double length) {
     return profile * std::cbrt(airPrandtlNumber) * airConductivity / length;
 }
 
-// Convection of a plate in still air, W/(m2 K): the air moves because the plate is cooler.
+// Heat transfer coefficient of a plate in still air, W/(m2 K), by free convection.
 double freeHeatTransfer(double difference, double length) {
     return 1.42 * std::sqrt(std::sqrt(std::abs(difference) / length));
 }
 
-// One wet face in an air stream, at a surface temperature that may be tried out.
+// One wet face in an air flow, for trial values of the surface temperature.
 struct WetFace {
     const Air& air;
     double length;
-    double forced;         // heat transfer by the wind, W/(m2 K)
-    double vapourDensity;  // of the air far away, kg/m3
-    double massOverHeat;   // mass transfer coefficient over that of heat, m3 K/J (Chilton & Colburn 1934)
+    double forced;         // heat transfer coefficient of the wind, W/(m2 K)
+    double vapourDensity;  // vapour density of the air far away, kg/m3
+    double massOverHeat;   // mass over heat transfer coefficient, m3 K/J (Chilton & Colburn 1934)
 
     double heatTransfer(double celsius) const {
         return std::max(forced, freeHeatTransfer(air.temperature - celsius, length));
     }
-    // Of this face, kg/(m2 s), as if vapour passed freely.
+    // Evaporation of this face, kg/(m2 s), at a vapour exchange of 1.
     double rate(double celsius) const {
         return heatTransfer(celsius) * massOverHeat * (saturatedVapourDensity(celsius) - vapourDensity);
     }
-    // Heat that comes in less heat that the vapour carries away, W/m2.
+    // Net heat flow into the face: heat from the air minus latent heat, W/m2.
     double surplus(double celsius) const {
         const double incoming = (heatTransfer(celsius) + radiationCoefficient) * (air.temperature - celsius);
         return incoming - rate(celsius) * latentHeat(celsius);
     }
 };
 
-// Surface temperature at which the heat balances. The surplus over the coefficient of convection falls all the
-// way as the surface warms, so it changes sign once. A face in air of 0 to 60 degrees never cools by 60 degrees,
-// and 50 halvings of that leave 1e-13 degrees.
+// Surface temperature at which the heat flows balance. The net heat flow over the heat transfer coefficient
+// decreases monotonically with the surface temperature, so it has one zero. In air of 0 to 60 degrees a face
+// never cools by 60 degrees, and 50 bisections of this interval leave 1e-13 degrees.
 double balancedTemperature(const WetFace& face) {
     double cold = face.air.temperature - 60, warm = face.air.temperature;
     for (int halving = 0; halving < 50; ++halving) {
@@ -78,21 +78,21 @@ double balancedTemperature(const WetFace& face) {
     return 0.5 * (cold + warm);
 }
 
-// Constant c of the isotherm (assumed): the first layer of water is bound much more firmly than the others.
+// Constant c of the isotherm (assumed): the first layer of water is bound much more strongly than the others.
 constexpr double assumedFirstLayerConstant = 10;
-// The largest k. At k = 1 the content of air of 100 % humidity would be infinite.
+// The largest k. At k = 1 the moisture content in air of 100 % humidity would be infinite.
 constexpr double largestMultilayerConstant = 0.999;
-constexpr double standardHumidity = 0.65;  // at which textiles have their regain (textbook)
+constexpr double standardHumidity = 0.65;  // humidity at which the regain of textiles is measured (textbook)
 
-// Content over that of the first layer, 1.
+// Moisture content over that of the first layer, dimensionless.
 double layers(double humidity, double c, double k) {
     const double y = k * humidity;
     return c * y / ((1 - y) * (1 - y + c * y));
 }
 
-// The k at which the isotherm rises from the regain to the bound maximum. The rise is 1.54 at k = 0, falls to 1.3
-// at k = 0.2 and then grows without end, so each rise of 1.6 or more, which is what `validate` lets pass, has
-// exactly one k.
+// The k for which the isotherm has the given ratio of bound maximum to regain. The ratio is 1.54 at k = 0,
+// falls to 1.3 at k = 0.2 and then increases without limit, so each ratio of 1.6 or more, which `validate`
+// requires, has exactly one k.
 double multilayerConstantOf(const Fabric& fabric, double c) {
     const auto reaches = [&](double k) {
         return layers(1, c, k) * fabric.regain >= layers(standardHumidity, c, k) * fabric.boundMaximum;
@@ -128,7 +128,7 @@ Evaporation evaporation(const Air& air, double speed, double length) {
                           air.humidity * saturatedVapourDensity(air.temperature),
                           lewisFactor / (airDensity * airHeatCapacity)};
     const double temperature = balancedTemperature(face);
-    // In saturated air the rate is zero but for rounding, which must not turn it into condensation.
+    // In saturated air the rate is zero except for rounding, which must not cause condensation.
     const double rate = std::max(0.0, 2 * face.rate(temperature) * air.vapourExchange);
     return {rate, temperature, face.heatTransfer(temperature)};
 }
@@ -144,8 +144,8 @@ double Isotherm::moistureContent(double humidity) const {
     return monolayer_ * layers(std::clamp(humidity, 0.0, 1.0), firstLayerConstant_, multilayerConstant_);
 }
 
-// The isotherm solved for y is (c - 1) W y^2 + B y - W = 0, B = X c - (c - 2) W. This form of its positive root
-// divides by nothing that vanishes as W does.
+// The isotherm solved for y is (c - 1) W y^2 + B y - W = 0, B = X c - (c - 2) W. This form of its positive
+// root has no division by a number that vanishes with W.
 double Isotherm::activity(double moistureContent) const {
     if (moistureContent <= 0) return 0;
     const double c = firstLayerConstant_;

@@ -27,7 +27,8 @@ EdgeRuns::EdgeRuns(const std::vector<Edge>& edges) {
                          edges.begin() + std::ptrdiff_t(first + count));
         first += count;
     }
-    // Nodes that are close in memory are then close in time, whatever the direction of their edges.
+    // So nodes that are close in memory are processed at about the same time, whatever the direction of their
+    // edges.
     std::stable_sort(runs_.begin(), runs_.end(), [](const Run& x, const Run& y) { return x.a < y.a; });
     std::stable_sort(loose.begin(), loose.end(), [](const Edge& x, const Edge& y) { return x.a < y.a; });
 

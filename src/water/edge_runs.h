@@ -1,4 +1,4 @@
-// Edges in the order in which a processor likes to walk them.
+// Edges in an order that allows fast, vectorised loops.
 #pragma once
 
 #include <array>
@@ -9,31 +9,32 @@
 
 namespace drench {
 
-// Edges as runs of neighbours: edge k of a run joins the nodes a + k and b + k. A grid falls into a few long
-// runs, which are walked several edges at a time. What fits in no run, on an irregular mesh nearly
-// everything, is walked one by one.
+// Edges grouped into runs of neighbours: edge k of a run joins the nodes a + k and b + k. A grid consists of
+// a few long runs, which are processed several edges at a time. Edges that fit into no run (on an irregular
+// mesh nearly all) are processed one by one.
 //
-// An edge that the sheet's motion has stretched beyond 1.25 times its rest length counts as no steeper than
-// that, which keeps explicit steps stable on a sheet that is torn or blown up.
+// The height difference along an edge that the motion of the sheet has stretched beyond 1.25 times its rest
+// length is limited to 1.25 times the rest length, which keeps explicit steps stable on a sheet that is torn
+// or unstable.
 class EdgeRuns {
   public:
     static constexpr double allowedStretch = 1.25;
 
-    // @param edges  by (b - a, a)
+    // @param edges  sorted by (b - a, a)
     explicit EdgeRuns(const std::vector<Edge>& edges);
 
     bool empty() const { return conductance_.empty(); }
 
-    // Moves mass along every edge: what `flux(a, b, conductance, steepest)` says, kg from node a to node b,
-    // leaves the one and enters the other; `steepest` is by how much their heights may differ at most, m.
-    // The flux must not depend on the masses that are being moved.
+    // Moves mass along every edge: `flux(a, b, conductance, steepest)` in kg from node a to node b;
+    // `steepest` is the limit of their height difference, m. The flux must not depend on the masses that are
+    // being moved.
     template <typename Flux>
     void move(double* mass, const Flux& flux) const;
 
     // All edges.
     std::vector<Edge> edges() const;
 
-    // Memory for all edges.
+    // Memory for all edges, bytes.
     std::size_t bytes() const {
         return runs_.size() * sizeof(Run) + loose_.size() * sizeof(Ends) +
                2 * conductance_.size() * sizeof(float);
@@ -41,21 +42,21 @@ class EdgeRuns {
 
   private:
     struct Run {
-        std::size_t a;      // first node on one end
-        std::size_t b;      // first node on the other end
-        std::size_t first;  // edge, in the order given
-        std::size_t count;  // edges
+        std::size_t a;      // first node at one end
+        std::size_t b;      // first node at the other end
+        std::size_t first;  // index of the first edge, in the given order
+        std::size_t count;  // number of edges
     };
     struct Ends {
         int a, b;
     };
-    // Long enough to pay, and short enough that what a run moves fits into the nearest cache.
+    // Long enough to be efficient, and short enough that the data of a run fit into the first-level cache.
     static constexpr std::size_t shortest = 8, longest = 512;
 
     std::vector<Run> runs_;
     std::vector<Ends> loose_;
-    std::vector<float> conductance_;  // of the edges in runs, then of the loose ones
-    std::vector<float> steepest_;     // m, of the same
+    std::vector<float> conductance_;  // of the edges in runs, then of the others
+    std::vector<float> steepest_;     // m, in the same order
 };
 
 template <typename Flux>

@@ -11,7 +11,8 @@ namespace drench {
 namespace {
 
 constexpr int maxSteps = 8;
-// Share of a film that may leave its node in a step, roughly; small enough for the shape of the film.
+// Approximate fraction of a film that may leave its node in a step; small enough for an accurate shape of the
+// film.
 constexpr double courantNumber = 0.5;
 
 // rho g / (3 mu), 1/(m s): speed of the film over its thickness squared, on a vertical wall.
@@ -19,7 +20,7 @@ double fluidity(double gravity) {
     return waterDensity * gravity / (3 * waterViscosity);
 }
 
-// Solves m + rate min(m, thickest)^2 m = available for the film m that is left, m.
+// Solves m + rate min(m, thickest)^2 m = available for the remaining film m, m.
 double filmLeft(double available, double rate) {
     const double fullRate = rate * thickestFilm * thickestFilm;
     if (available > thickestFilm * (1 + fullRate)) return available / (1 + fullRate);
@@ -80,18 +81,19 @@ void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gra
     const float doubleDensity = static_cast<float>(2 * waterDensity);
     const float rate = static_cast<float>(2 * fluidity(gravity) * dt / steps);
     const float retained = static_cast<float>(retainedFilmThickness), max = static_cast<float>(thickestFilm);
-    const float inverseDensity = 1 / doubleDensity;  // of both faces' films together
+    const float inverseDensity = 1 / doubleDensity;  // of the films on both faces together
     const float *inverseArea = inverseAreas_.data(), *outflow = steepestOutflow_.data();
     float* mobility = mobility_.data();
     for (int i = 0; i < steps; ++i) {
-        // What a film that only drains has lost after a while, m (1 - 1 / sqrt(1 + 2 x)), is never all of it.
+        // The loss of a film that only drains after some time, m (1 - 1 / sqrt(1 + 2 x)), is always less than
+        // the film.
 #pragma omp simd
         for (std::size_t n = 0; n < nodes; ++n) {
             const float thickness = static_cast<float>(filmMass[n]) * inverseArea[n] * inverseDensity;
             const float film = std::max(thickness - retained, 0.0f), runs = std::min(film, max);
             const float twice = rate * outflow[n] * inverseArea[n] * runs * runs;
             const float root = std::sqrt(1 + twice);
-            // (1 - 1 / root) / outflow, without the difference of nearly equal numbers
+            // (1 - 1 / root) / outflow, without a difference of nearly equal numbers
             mobility[n] = doubleDensity * rate * film * runs * runs / (root * (root + 1));
         }
         runs_.move(filmMass, [=](std::size_t a, std::size_t b, float conductance, float steepest) {
@@ -101,12 +103,12 @@ void FilmFlow::runInSteps(double dt, int steps, const float* heights, double gra
     }
 }
 
-// Backward Euler, node by node from the highest down: when a node's turn comes, all that flows to it has
-// come. One such sweep would do at any length of step; a few are more exact.
+// Backward Euler, node by node from the highest down: when a node is solved, its inflow is known. One such
+// sweep is stable at any length of step; several are more accurate.
 void FilmFlow::runInSweeps(double dt, const std::vector<float>& heights, double gravity, double* filmMass) {
     std::sort(downwards_.begin(), downwards_.end(), [&](int a, int b) {
         const float one = heights[static_cast<std::size_t>(a)], other = heights[static_cast<std::size_t>(b)];
-        return one != other ? one > other : a < b;  // whatever the order before
+        return one != other ? one > other : a < b;  // independent of the previous order
     });
     for (int sweep = 0; sweep < maxSteps; ++sweep)
         sweepDown(dt / maxSteps, heights.data(), gravity, filmMass);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int maxIterations = 40;
 constexpr double tolerance = 1e-12;  // of a node's capacity
-constexpr int maxPieces = 4096;      // that a step is cut into
+constexpr int maxPieces = 4096;      // into which a step is divided
 
 // Index of an entry within the values of a matrix.
 int indexOf(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix, int row, int column) {
@@ -55,7 +55,7 @@ void ImplicitWicking::step(double dt, const std::vector<float>& heights, double 
         const double steepest = EdgeRuns::allowedStretch * edge.length;
         rise_.push_back(weight * std::clamp(rise, -steepest, steepest));
     }
-    // Pieces of the step are counted in the smallest that there are, so that they add up to it.
+    // Pieces are counted in units of the smallest one, so that they add up to the step.
     int done = 0, piece = maxPieces;
     while (done < maxPieces) {
         if (tryStep(dt * piece / maxPieces, poreMass)) {
@@ -64,7 +64,7 @@ void ImplicitWicking::step(double dt, const std::vector<float>& heights, double 
         } else if (piece > 1) {
             piece /= 2;
         } else {
-            done += piece;  // nothing moves in a piece that has no solution; its water stays where it is
+            done += piece;  // in a piece without a solution nothing moves
         }
     }
 }
@@ -93,7 +93,7 @@ ImplicitWicking::Flux ImplicitWicking::flux(const Edge& edge) const {
     const double scale = fluxScale_ * edge.conductance;
     const double value = curve_.psi(a) - curve_.psi(b) +
                          rise * (fractionA * curve_.permeability(a) + fractionB * curve_.permeability(b));
-    // Beyond full pores neither pull nor permeability grow.
+    // Beyond full pores neither suction nor permeability increases.
     const double slopeA =
         saturation_[edge.a] > 1 ? 0.0 : curve_.psiSlope(a) + rise * fractionA * curve_.permeabilitySlope(a);
     const double slopeB =
@@ -105,7 +105,7 @@ void ImplicitWicking::findFluxes() {
     for (std::size_t e = 0; e < edges_.size(); ++e) fluxes_[e] = flux(edges_[e]);
 }
 
-// Fills residual and matrix. @return the largest residual, as a share of its node's capacity
+// Computes residual and matrix. @return the largest residual over the capacity of its node
 double ImplicitWicking::assemble(double dt, const std::vector<double>& poreMass) {
     double* values = matrix_.valuePtr();
     std::fill(values, values + matrix_.nonZeros(), 0.0);
@@ -131,8 +131,8 @@ double ImplicitWicking::assemble(double dt, const std::vector<double>& poreMass)
     return largest;
 }
 
-// Moves what the fluxes carry, rather than taking the solved saturations, which are right to rounding only:
-// so no water is made or lost but where rounding left a store a hair below zero.
+// Applies the fluxes rather than the computed saturations, which have rounding errors. So no water is created
+// or lost, except where rounding has made a node's water slightly negative.
 void ImplicitWicking::applyFluxes(double dt, std::vector<double>& poreMass) const {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
         poreMass[static_cast<std::size_t>(edges_[e].a)] -= dt * fluxes_[e].value;

@@ -1,4 +1,4 @@
-// The wicking of a long step: one implicit step in place of very many explicit ones.
+// Wicking in a long step: one implicit step instead of many explicit ones.
 #pragma once
 
 #include <Eigen/IterativeLinearSolvers>
@@ -10,26 +10,26 @@
 
 namespace drench {
 
-// The same fluxes as `Wicking`, taken at the end of the step (backward Euler): stable at any length.
-// Newton's method with a sparse linear solve; a step that it does not solve is halved.
+// The same fluxes as `Wicking`, evaluated at the end of the step (backward Euler): stable at any length.
+// Newton's method with a sparse linear solver; a step that does not converge is halved.
 class ImplicitWicking {
   public:
     // @param fluxScale   rho h / mu
-    // @param capacities  of the nodes' pores, kg
+    // @param capacities  of the pores of each node, kg
     ImplicitWicking(const BrooksCorey& curve, double fluxScale, const std::vector<Edge>& edges,
                     const std::vector<double>& capacities);
 
     // @param weight      rho g, Pa/m
-    // @param lowerFraction  of the lower node in the permeability to gravity
+    // @param lowerFraction  weight of the lower node in the permeability to gravity
     void step(double dt, const std::vector<float>& heights, double weight, double lowerFraction,
               std::vector<double>& poreMass);
 
   private:
-    // Flux along an edge and how it changes with the saturations of its ends, kg/s.
+    // Flux along an edge and its derivatives with respect to the saturations of its ends, kg/s.
     struct Flux {
         double value, slopeA, slopeB;
     };
-    // Where the entries of an edge are in the matrix.
+    // Positions of the entries of an edge in the matrix.
     struct Entries {
         int aa, ab, ba, bb;
     };
@@ -44,7 +44,7 @@ class ImplicitWicking {
     double fluxScale_;
     std::vector<Edge> edges_;
     std::vector<double> capacities_;
-    std::vector<double> rise_;  // of each edge, rho g (z_a - z_b), Pa
+    std::vector<double> rise_;  // for each edge, rho g (z_a - z_b), Pa
     double lowerFraction_ = 0.5;
 
     std::vector<Flux> fluxes_;

@@ -19,12 +19,12 @@ namespace {
 constexpr std::size_t airAccount = 1;
 
 void checkStep(double dt, const Surroundings& surroundings, std::size_t nodes) {
-    constexpr double longest = 1e9;  // s; beyond it products of rates and times come to nothing finite
+    constexpr double longest = 1e9;  // s; longer steps overflow
     if (!(dt >= 0 && dt <= longest)) refuse("a water step of ", dt, " s; give 0 to 1e9 s");
     if (!surroundings.heights.empty() && surroundings.heights.size() != nodes)
         refuse("there are heights for ", surroundings.heights.size(), " nodes of ", nodes,
                "; give one a node, or none");
-    float off = 0;  // 0 as long as all are finite
+    float off = 0;  // 0 if all are finite
 #pragma omp simd reduction(+ : off)
     for (std::size_t n = 0; n < surroundings.heights.size(); ++n)
         off += surroundings.heights[n] - surroundings.heights[n];
@@ -47,7 +47,7 @@ const ClothMesh& validated(const ClothMesh& mesh) {
     return mesh;
 }
 
-// A node that is covered, or lies on something, until the next step.
+// A node that is covered, or lies on a solid, until the next step.
 struct Covered {
     std::size_t node = 0;
     float openArea = 0;  // m2
@@ -56,7 +56,7 @@ struct Covered {
 
 }  // namespace
 
-// What moves the water, in the order of the step.
+// The models that move the water, in the order of the step.
 struct Moisture::Parts {
     Parts(const Fabric& fabric, const ClothMesh& mesh)
         : vapour(fabric, mesh), wicking(fabric, mesh), film(mesh), level(mesh.size(), 0.0f) {}
@@ -64,7 +64,7 @@ struct Moisture::Parts {
     VapourExchange vapour;
     Wicking wicking;
     FilmFlow film;
-    std::vector<float> level;  // heights of a sheet that has none
+    std::vector<float> level;  // heights used if none are given
 };
 
 Moisture::Moisture(const Fabric& fabric, const ClothMesh& mesh)
@@ -102,7 +102,7 @@ void Moisture::checkWater(std::size_t node, double mass, std::size_t account) co
     if (account >= accounts_.size())
         refuse<std::out_of_range>("account ", account, " of ", accounts_.size(),
                                   "; give one that openAccount() returned");
-    constexpr double max = 1e6;  // keeps sums finite in single-precision Bullet
+    constexpr double max = 1e6;  // kg; keeps sums finite with single-precision Bullet
     if (!(mass >= 0 && mass <= max))
         refuse(mass, " kg of water for node ", node, "; give a mass from 0 to 1e6 kg");
     if (areas_[node] == 0)
@@ -145,7 +145,7 @@ void Moisture::cover(std::size_t node, double fraction) {
         refuse("a covered fraction of ", fraction, " for node ", node, "; give 0 to 1");
     if (fraction == 0) return;
     const double open = double(openAreas_[node]) - fraction * areas_[node];
-    constexpr double rounding = 1e-5;  // of shares that should add up to 1
+    constexpr double rounding = 1e-5;  // of fractions that should add up to 1
     openAreas_[node] = open > rounding * areas_[node] ? static_cast<float>(open) : 0.0f;
     covered_.push_back(node);
 }
@@ -208,7 +208,7 @@ void Moisture::step(double dt, const Surroundings& surroundings) {
     uncover();
 }
 
-// The exponential approach to saturation.
+// Exponential approach to saturation.
 void Moisture::absorb(double dt) {
     const double fraction = -std::expm1(-dt / wettingTime_);
     const double* capacity = capacities_.data();
@@ -222,7 +222,7 @@ void Moisture::absorb(double dt) {
     }
 }
 
-// What pores cannot hold comes out of them.
+// What the pores cannot hold becomes film.
 void Moisture::spillOver() {
     const double* capacity = capacities_.data();
     double *pore = poreMass_.data(), *film = filmMass_.data();
@@ -271,7 +271,7 @@ double Moisture::meanSaturation() const {
 std::size_t Moisture::bytesPerNode() const {
     if (size() == 0) return 0;
     constexpr std::size_t own =
-        4 * sizeof(double) + sizeof(float) + sizeof(char);  // areas, capacities, stores; open areas; lying
+        4 * sizeof(double) + sizeof(float) + sizeof(char);  // areas, capacities, masses; open areas; lying
     const std::size_t parts = parts_->vapour.bytes() + parts_->wicking.bytes() + parts_->film.bytes();
     return own + parts / size() + sizeof(float);  // and heights
 }
@@ -290,7 +290,7 @@ Ledger Moisture::ledger() const {
 }
 
 void Moisture::state(StatePass& pass) {
-    constexpr double max = 1e15;  // kg, by which sums stay finite
+    constexpr double max = 1e15;  // kg; keeps sums finite
     pass.numbers(poreMass_, 0, max);
     pass.numbers(filmMass_, 0, max);
     pass.number(dripped_, 0, max);
@@ -299,8 +299,8 @@ void Moisture::state(StatePass& pass) {
     coveredState(pass);
 }
 
-// Sources hold the numbers of their accounts; so those that are open stay where they are, and go back to nothing where
-// the state knows none of that name. An account in which nothing is might as well not be there.
+// Sources hold the indices of their accounts. So open accounts keep their index, and are reset to 0 if the
+// state contains no account of that name. Accounts without water may be missing from a state.
 void Moisture::accountsState(StatePass& pass) {
     std::vector<Account> accounts;
     for (const Account& account : accounts_)

@@ -17,7 +17,7 @@ VapourExchange::Totals VapourExchange::exchange(double dt, double rate, double h
                                                 const std::vector<float>& openAreas,
                                                 std::vector<double>& poreMass,
                                                 std::vector<double>& filmMass) const {
-    const auto toGo = static_cast<float>(rate * dt);  // kg/m2 that a wet sheet would lose
+    const auto toGo = static_cast<float>(rate * dt);  // kg/m2, loss of a completely wet sheet
     const auto relativeHumidity = static_cast<float>(humidity);
     const auto driest = static_cast<float>(isotherm_.moistureContent(humidity));
     const auto bound = static_cast<float>(boundMaximum_);
@@ -48,7 +48,7 @@ VapourExchange::Totals VapourExchange::exchange(double dt, double rate, double h
         const float y = 2 * moistureContent /
                         (b + std::sqrt(b * b + 4 * (c - 1) * moistureContent * moistureContent) + tiny);
         const float activity = std::min(y * inverseK, 1.0f);
-        // Implicit in the distance to the balance, which so is never passed.
+        // Implicit in the distance to the equilibrium, so that it is never overshot.
         const float full = rest * (activity - relativeHumidity) * inverseDrying;
         const float gap = std::abs(static_cast<float>(left) - driest * fibre);
         const double change = std::min(static_cast<double>(full * gap / (gap + std::abs(full) + tiny)), left);

@@ -1,4 +1,4 @@
-// Drying, and the water that damp air leaves in dry cloth.
+// Drying, and water that dry cloth takes up from humid air.
 #pragma once
 
 #include <vector>
@@ -9,24 +9,24 @@
 
 namespace drench {
 
-// Film evaporates first, then pores, at the full rate down to the bound maximum; below it the rate falls as
-// (a_w - RH) / (1 - RH), a_w the activity of what the fibre still binds, until the two are in balance.
+// Film evaporates first, then pore water, at the full rate down to the bound maximum. Below it the rate falls
+// as (a_w - RH) / (1 - RH), with a_w the activity of the water that is still bound, down to 0 at equilibrium.
 class VapourExchange {
   public:
     VapourExchange(const Fabric& fabric, const ClothMesh& mesh);
 
-    // Both in kg, of the whole sheet.
+    // Totals of the whole sheet, kg.
     struct Totals {
         double evaporated = 0;
         double condensed = 0;
     };
 
-    // @param rate       of a wet sheet, kg/(m2 s)
-    // @param openAreas  of the nodes, m2, where air gets at them
+    // @param rate       of a completely wet sheet, kg/(m2 s)
+    // @param openAreas  uncovered area of each node, m2
     Totals exchange(double dt, double rate, double humidity, const std::vector<float>& openAreas,
                     std::vector<double>& poreMass, std::vector<double>& filmMass) const;
 
-    // Memory for all nodes.
+    // Memory for all nodes, bytes.
     std::size_t bytes() const { return 2 * clothMass_.size() * sizeof(float); }
 
   private:

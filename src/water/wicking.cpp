@@ -11,7 +11,7 @@ namespace drench {
 
 namespace {
 
-// Share of the lower node in the permeability to gravity.
+// Weight of the lower node in the permeability to gravity.
 double lowerFraction(const BrooksCorey& curve, double gravity, double longestEdge) {
     const double weight = waterDensity * gravity * longestEdge * EdgeRuns::allowedStretch;
     const double steepest = curve.permeabilitySlope(1) / curve.psiSlope(1);  // (3 L + 2) / p_b

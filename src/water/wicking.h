@@ -1,4 +1,4 @@
-// Water that creeps through the pores of the cloth, along it, against and with gravity.
+// Pore water that moves along the cloth by capillary forces and gravity.
 #pragma once
 
 #include <cmath>
@@ -11,9 +11,9 @@
 
 namespace drench {
 
-// How much a partly filled pore space pulls and conducts (Brooks & Corey 1964): capillary pressure
-// p_c = p_b s^(-1/L) and relative permeability k_r = s^(3 + 2/L) of a saturation s, and
-// Psi = integral of k_r |dp_c/ds| ds = (p_b / L) s^(3 + 1/L) / (3 + 1/L), Pa, whose differences drive wicking.
+// Suction and conductivity of partly filled pores (Brooks & Corey 1964): capillary pressure p_c = p_b
+// s^(-1/L) and relative permeability k_r = s^(3 + 2/L) at a saturation s, and Psi = integral of k_r |dp_c/ds|
+// ds = (p_b / L) s^(3 + 1/L) / (3 + 1/L), Pa, whose differences drive wicking.
 // Unlike p_c, Psi has no singularity in dry cloth.
 class BrooksCorey {
   public:
@@ -42,18 +42,19 @@ class BrooksCorey {
 
 class ImplicitWicking;
 
-// The flux from node i to node j, kg/s (Darcy 1856; Richards 1931; on linear finite elements):
-// F = (rho h / mu) T [Psi(s_i) - Psi(s_j) + k rho g (z_i - z_j)], T the conductance of the edge for the fabric's
+// The flux from node i to node j, kg/s (Darcy 1856; Richards 1931; on linear finite elements): F = (rho h /
+// mu) T [Psi(s_i) - Psi(s_j) + k rho g (z_i - z_j)], with T the conductance of the edge for the fabric's
 // permeability. What leaves one node enters the other.
 //
-// k weighs the relative permeabilities of the upper and the lower node so that the lower one has the share
-// min(1/2, p_b / ((3 L + 2) rho g d)), d 1.25 times the longest edge of the sheet. The mean is right to
-// second order; less of the lower node keeps the flux growing with the upper one's water and falling with
-// the lower one's however coarse the mesh, so that no node is drained below zero and nothing oscillates.
+// k is a weighted mean of the relative permeabilities of the upper and the lower node; the lower one has the
+// weight min(1/2, p_b / ((3 L + 2) rho g d)), with d 1.25 times the longest edge of the sheet. The unweighted
+// mean is second-order accurate. A smaller weight of the lower node ensures on any mesh that the flux
+// increases with the water of the upper node and decreases with that of the lower node, so that no node
+// becomes negative and nothing oscillates.
 class Wicking {
   public:
-    // Most explicit steps that a call takes before it takes one implicit step instead, which costs as much
-    // as some 440 of them and is less exact (docs/water.md).
+    // Largest number of explicit steps in a call. If more are needed, one implicit step is taken instead,
+    // which costs as much as about 440 of them and is less accurate (docs/water.md).
     static constexpr int maxExplicitSteps = 400;
 
     Wicking(const Fabric& fabric, const ClothMesh& mesh);
@@ -63,14 +64,14 @@ class Wicking {
     Wicking(const Wicking&) = delete;
     Wicking& operator=(const Wicking&) = delete;
 
-    // Longest explicit step that keeps every store at or above zero, s.
+    // Longest explicit step for which no mass becomes negative, s.
     double explicitBound(double gravity) const;
 
-    // Lets `dt` seconds pass. Pores may be left fuller than their capacity where gravity drives water
-    // together; the caller moves the surplus to the film.
+    // Simulates `dt` seconds. Where gravity drives water together, pores may be filled beyond their capacity;
+    // the caller moves the surplus to the film.
     // @param heights     of the nodes, m
-    // @param capacities  of the nodes' pores, kg
-    // @param poreMass    of the nodes, kg
+    // @param capacities  of the pores of each node, kg
+    // @param poreMass    of each node, kg
     void step(double dt, const std::vector<float>& heights, double gravity,
               const std::vector<double>& capacities, std::vector<double>& poreMass);
 
@@ -87,12 +88,12 @@ class Wicking {
     double fluxScale_;        // rho h / mu, kg/(m2 Pa s)
     double longestEdge_ = 0;  // m
     EdgeRuns runs_;
-    std::vector<float> inverseCapacities_;  // 1/kg; 0 for a node without cloth
-    double largestPsiRate_ = 0;             // of any node, sum of conductances over capacity, m2/kg
-    double largestGravityRate_ = 0;         // the same, of conductance x length, m3/kg
-    std::vector<float> psi_;                // of each node, kg that a unit of conductance passes in the step
-    std::vector<float> permeability_;       // of each node, relative
-    std::unique_ptr<ImplicitWicking> implicit_;  // made when first needed
+    std::vector<float> inverseCapacities_;       // 1/kg; 0 for a node without cloth
+    double largestPsiRate_ = 0;                  // largest sum of conductances over capacity of a node, m2/kg
+    double largestGravityRate_ = 0;              // the same for conductance x length, m3/kg
+    std::vector<float> psi_;                     // for each node, mass moved per conductance in the step, kg
+    std::vector<float> permeability_;            // for each node, relative
+    std::unique_ptr<ImplicitWicking> implicit_;  // made on first use
 };
 
 }  // namespace drench

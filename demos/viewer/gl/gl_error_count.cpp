@@ -12,7 +12,7 @@ void GlErrorCount::receive(GLenum, GLenum type, GLuint, GLenum, GLsizei, const G
 GlErrorCount::GlErrorCount() {
     GLint flags = 0;
     glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
-    // Other contexts may take the callback and then stay silent.
+    // Another context may take over the callback; this one then gets no messages.
     hasMessages_ = epoxy_has_gl_extension("GL_KHR_debug") && (flags & GL_CONTEXT_FLAG_DEBUG_BIT) != 0;
     if (hasMessages_) {
         glEnable(GL_DEBUG_OUTPUT);
@@ -30,7 +30,7 @@ GlErrorCount::~GlErrorCount() {
 }
 
 void GlErrorCount::poll() {
-    // A lost context reports errors for ever.
+    // A lost context reports errors without end.
     constexpr int max = 16;
     for (int i = 0; i < max && glGetError() != GL_NO_ERROR; ++i)
         if (!hasMessages_) ++count_;

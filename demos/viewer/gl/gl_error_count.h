@@ -7,7 +7,7 @@
 
 namespace drench::viewer {
 
-// Counts errors through the driver's debug messages where it has them, else by asking after each frame.
+// Counts errors through the driver's debug messages if supported; otherwise asks after each frame.
 class GlErrorCount {
   public:
     // Needs a current context; of several on one context the newest receives the driver's messages.

@@ -1,4 +1,4 @@
-// Owners of OpenGL names. Each needs its context to be current when it is made and when it is destroyed.
+// Owners of OpenGL names. The context must be current at construction and destruction.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -7,7 +7,7 @@
 
 namespace drench::viewer {
 
-// Owns one OpenGL name, made and given back as `Kind` says; can be moved, not copied.
+// Owns one OpenGL name, created and deleted by `Kind`; movable, not copyable.
 template <typename Kind>
 class GlObject {
   public:
@@ -22,14 +22,14 @@ class GlObject {
     ~GlObject() {
         if (name_ != 0) Kind::destroy(name_);
     }
-    // The name to hand to OpenGL.
+    // The name to pass to OpenGL.
     GLuint name() const { return name_; }
 
   private:
     GLuint name_;
 };
 
-// Names that OpenGL gives out and takes back several at a time.
+// Names that OpenGL creates and deletes in groups.
 template <auto& generate, auto& release>
 struct ListedKind {
     static GLuint create() {
@@ -58,14 +58,14 @@ using Sampler = GlObject<ListedKind<glGenSamplers, glDeleteSamplers>>;
 using Renderbuffer = GlObject<ListedKind<glGenRenderbuffers, glDeleteRenderbuffers>>;
 using Framebuffer = GlObject<ListedKind<glGenFramebuffers, glDeleteFramebuffers>>;
 
-// The size of a texture and what its texels are; the arguments of glTexImage2D.
+// Size and format of a texture: arguments of glTexImage2D.
 struct TextureFormat {
     int width, height;
     GLint texel;
     GLenum channels, type;
 };
 
-// Binds a texture, stores it (without values: of any content), and says how it is looked up.
+// Binds a texture, allocates it without contents, and sets its filtering.
 inline void store(const Texture& texture, const TextureFormat& format, GLint minFilter, GLint magFilter,
                   GLint wrap, const void* values = nullptr) {
     glBindTexture(GL_TEXTURE_2D, texture.name());

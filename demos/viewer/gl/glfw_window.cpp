@@ -21,8 +21,8 @@ bool glfwStarted() {
         StopAtExit(const StopAtExit&) = delete;
         StopAtExit& operator=(const StopAtExit&) = delete;
     };
-    // GLFW stays connected until the program ends: X servers such as Xvfb start afresh when their last
-    // program leaves, and refuse the next one meanwhile.
+    // GLFW stays connected until the program ends, because X servers such as Xvfb restart when their last
+    // client disconnects, and refuse connections meanwhile.
     static const StopAtExit stopAtExit;
     return glfwInit() == GLFW_TRUE;
 }
@@ -37,7 +37,7 @@ GlfwWindow::GlfwWindow(int width, int height, const std::string& title, Visibili
     // macOS gives 3.3 to forward-compatible contexts only.
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
-    // As large to the eye on a screen of many pixels.
+    // Scaled by the pixel density of the screen.
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_VISIBLE, visibility == Visibility::shown ? GLFW_TRUE : GLFW_FALSE);
     // The renderer smooths in a framebuffer of its own and needs no depth here.

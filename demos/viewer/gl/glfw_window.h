@@ -1,7 +1,7 @@
 // GLFW and the owner of its windows.
 #pragma once
 
-// libepoxy brings the OpenGL functions, and GLFW must not bring others.
+// OpenGL functions come from libepoxy, so GLFW must not include its own.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -10,8 +10,8 @@
 
 namespace drench::viewer {
 
-// Starts GLFW unless it runs already; false, quietly, when there is no display. Main thread only, as GLFW
-// demands.
+// Starts GLFW unless it is running; returns false, without a message, if there is no display. Main thread
+// only, as GLFW requires.
 bool glfwStarted();
 
 // Owns a GLFW window with an OpenGL 3.3 core context.

@@ -39,7 +39,7 @@ void append(void* context, void* data, int size) {
                                                      bytes + size);
 }
 
-// Light grey: what no image covers.
+// Light grey, for areas without an image.
 constexpr std::uint8_t backdrop = 235;
 
 }  // namespace

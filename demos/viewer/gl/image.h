@@ -1,4 +1,4 @@
-// Pictures in memory and on disk.
+// Images in memory and in files.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Image {
     std::vector<std::uint8_t> rgb;
 };
 
-// Writes a PNG file, creating parent folders; the file appears under its name only once it is whole.
+// Writes a PNG file atomically; missing parent folders are made.
 // Throws std::runtime_error, naming the path, when the image is empty or cannot be written.
 void writePng(const std::filesystem::path& path, const Image& image);
 

@@ -8,7 +8,7 @@ namespace drench::viewer {
 
 namespace {
 
-// ImGui makes a new context current when there is none yet; this hands back the one before.
+// ImGui makes a new context current if there is none; this restores the previous one.
 ImGuiContext* newContext() {
     ImGuiContext* const former = ImGui::GetCurrentContext();
     ImGuiContext* const context = ImGui::CreateContext();

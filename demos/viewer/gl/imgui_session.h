@@ -1,4 +1,4 @@
-// An ImGui context of our own, drawing through its OpenGL 3 backend.
+// An ImGui context that draws through its OpenGL 3 backend.
 #pragma once
 
 #include <imgui.h>
@@ -8,7 +8,7 @@ namespace drench::viewer {
 // Owns an ImGui context and its OpenGL 3 backend; several can live side by side on one OpenGL context.
 class ImGuiSession {
   public:
-    // Makes a session current and puts the former context back when it goes out of scope.
+    // Makes a session current, and restores the previous context at the end of the scope.
     class Use {
       public:
         explicit Use(const ImGuiSession& session) : former_(ImGui::GetCurrentContext()) {
@@ -29,7 +29,7 @@ class ImGuiSession {
     ImGuiSession(const ImGuiSession&) = delete;
     ImGuiSession& operator=(const ImGuiSession&) = delete;
 
-    // Makes this the current ImGui context until further notice.
+    // Makes this the current ImGui context.
     void makeCurrent() const { ImGui::SetCurrentContext(context_); }
 
   private:

@@ -1,4 +1,4 @@
-// Many small quads drawn at once.
+// Draws many small quads at once.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace drench::viewer {
 
-// A list of instances of `Size` vectors each, which a vertex shader reads at the locations 0, 1, ... and
-// makes a quad of, corner by corner from gl_VertexID.
+// A list of instances of `Size` vectors each. A vertex shader reads them at the locations 0, 1, ... and makes
+// a quad of each, corner by corner from gl_VertexID.
 template <std::size_t Size>
 class InstancedQuads {
   public:

@@ -6,17 +6,17 @@
 namespace drench::viewer {
 
 // An OpenGL 3.3 core context that needs no display: surfaceless EGL on Linux, a hidden GLFW window elsewhere.
-// It has no framebuffer of its own, so draw with Renderer::capture.
+// It has no framebuffer of its own; draw with Renderer::capture.
 class OffscreenContext {
   public:
-    // Makes the context and makes it current on this thread; throws std::runtime_error, saying what to
-    // install, when there is no usable OpenGL.
+    // Creates the context and makes it current on this thread; throws std::runtime_error that says what to
+    // install if there is no usable OpenGL.
     OffscreenContext();
     ~OffscreenContext();
     OffscreenContext(const OffscreenContext&) = delete;
     OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-    // Makes it current on this thread again, after another context was.
+    // Makes it current on this thread again, after another context was current.
     void makeCurrent() const;
 
   private:

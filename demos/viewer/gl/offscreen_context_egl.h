@@ -1,4 +1,4 @@
-// The Linux half of offscreen_context.cpp.
+// Part of offscreen_context.cpp for Linux, with EGL.
 #pragma once
 
 #include <epoxy/egl.h>
@@ -60,7 +60,7 @@ inline EGLConfig chooseConfig(EGLDisplay display, bool surfaceless) {
 class OffscreenContext::Platform {
   public:
     Platform() {
-        // Without this question libepoxy would end the program when libEGL.so.1 is missing.
+        // Without this check libepoxy would end the program if libEGL.so.1 is missing.
         if (!epoxy_has_egl()) {
             throw std::runtime_error(
                 "viewer: no off-screen OpenGL: libEGL.so.1 is missing; install EGL (Debian: libegl1 "
@@ -110,8 +110,8 @@ class OffscreenContext::Platform {
         makeCurrent();
     }
 
-    // The display stays open: EGL shares it with everybody else in the process, and closing it would end
-    // their contexts too.
+    // The display stays open: EGL shares it with all code in the process, and closing it would end other
+    // contexts, too.
     void release() {
         if (context_ != EGL_NO_CONTEXT && eglGetCurrentContext() == context_)
             eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

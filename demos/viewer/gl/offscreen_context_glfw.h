@@ -1,4 +1,4 @@
-// The half of offscreen_context.cpp for systems without EGL.
+// Part of offscreen_context.cpp for systems without EGL.
 #pragma once
 
 #include "viewer/gl/glfw_window.h"

@@ -45,7 +45,7 @@ void allocate(const Renderbuffer& renderbuffer, GLint samples, GLenum format, in
 SceneTarget::SceneTarget(int width, int height) : width_(width), height_(height) {
     requireSize(width, height);
     const GLint samples = smoothingSamples();
-    // Half floats keep the dark end of linear light free of steps.
+    // Half floats avoid visible steps in dark areas of linear light.
     allocate(colour_, samples, GL_RGBA16F, width, height);
     allocate(depth_, samples, GL_DEPTH_COMPONENT24, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());

@@ -1,4 +1,4 @@
-// Framebuffers to draw into and read back.
+// Framebuffers for rendering and reading back.
 #pragma once
 
 #include "viewer/gl/gl_object.h"
@@ -6,7 +6,7 @@
 
 namespace drench::viewer {
 
-// A smoothed (multisampled) linear-light picture under construction, with depth.
+// A multisampled picture in linear light, with depth.
 class SceneTarget {
   public:
     // Both sides in pixels, 1 or more; throws std::runtime_error when the driver cannot provide it.
@@ -14,12 +14,12 @@ class SceneTarget {
 
     // Makes the following draw calls draw here.
     void bind() const;
-    // Averages the samples of each pixel and leaves the result in texture().
+    // Averages the samples of each pixel into texture().
     void resolve() const;
-    // The same, and what is nearest in each pixel, and puts both where shaders find them: colour at texture unit 1,
-    // depth at unit 3. Drawing goes on in this target.
+    // The same, also for the nearest depth of each pixel, and binds both for shaders: colour to texture unit
+    // 1, depth to unit 3. Drawing into this target continues.
     void resolveForLookup() const;
-    // The same with coarser copies of the colour, each of half the size of the one before.
+    // The same, with mipmaps of the colour.
     void resolveForBlurredLookup() const;
 
     GLuint texture() const { return resolvedColour_.name(); }
@@ -37,7 +37,7 @@ class SceneTarget {
     Framebuffer resolved_;
 };
 
-// A finished picture of 8 bits a channel that can be read back.
+// A final picture with 8 bits per channel, for reading back.
 class ImageTarget {
   public:
     // Both sides in pixels, 1 or more; throws std::runtime_error when the driver cannot provide it.
@@ -54,18 +54,20 @@ class ImageTarget {
     Framebuffer framebuffer_;
 };
 
-// The depth of the scene seen from the sun, and beside it, blended by the smaller value, what its shaders write.
+// Shadow map: the depth seen from the sun, and a second texture in which the shaders' output is blended by
+// minimum.
 class ShadowTarget {
   public:
-    // Side of the square map in pixels; throws std::runtime_error when the driver cannot provide it.
+    // Edge length of the square map in pixels; throws std::runtime_error if the driver cannot provide it.
     explicit ShadowTarget(int resolution);
 
     // Clears it and makes the following draw calls draw here, blending until they draw elsewhere.
     void begin() const;
     void end() const;
-    // Puts the map at texture unit 0 for comparing lookups and at unit 2 for plain ones, and what was blended at unit 4.
+    // Binds the map to texture unit 0 for comparing lookups and to unit 2 for plain ones, and the blended
+    // texture to unit 4.
     void bindForLookup() const;
-    // Takes the plain lookup away again, which would be in the way of other users of unit 2.
+    // Unbinds unit 2 again, because it would interfere with other uses of that unit.
     void unbind() const { glBindSampler(2, 0); }
     int resolution() const { return resolution_; }
 
@@ -77,7 +79,8 @@ class ShadowTarget {
     Framebuffer framebuffer_;
 };
 
-// How much light all sheets together let through to the eye: for each pixel the product of what its draw calls write, from 0 to 1.
+// Transmittance of all sheets together towards the camera: for each pixel the product of the output of the
+// draw calls, 0 to 1.
 class LayersTarget {
   public:
     // Both sides in pixels, 1 or more; throws std::runtime_error when the driver cannot provide it.
@@ -85,7 +88,7 @@ class LayersTarget {
 
     // Sets every pixel to 1 and makes the following draw calls multiply it.
     void begin() const;
-    // Ends that, and puts the products at texture unit 5.
+    // Ends that, and binds the products to texture unit 5.
     void end() const;
 
   private:

@@ -9,8 +9,8 @@
 
 namespace drench::viewer {
 
-// A vertex and a fragment shader, linked. Its uniform blocks Frame and Sheet stand at the bindings 0 and 1; its samplers
-// sunShadow, scene, sunDepth, sceneDepth, sunPassing and sheetLayers at the texture units 0 to 5.
+// A linked vertex and fragment shader. Its uniform blocks Frame and Sheet have the bindings 0 and 1; its
+// samplers sunShadow, scene, sunDepth, sceneDepth, sunPassing and sheetLayers have the texture units 0 to 5.
 class ShaderProgram {
   public:
     // Joins each list of source pieces behind a #version 330 line. Throws std::runtime_error with the

@@ -10,7 +10,7 @@ namespace drench::viewer {
 
 namespace {
 
-// For which a picture is exposed, seconds.
+// Exposure time of a picture, s.
 constexpr float exposure = 1.0f / 120.0f;
 
 using Instance = InstancedQuads<2>::Instance;
@@ -35,7 +35,7 @@ std::vector<Instance> streakInstances(const std::vector<Streak>& streaks) {
     return instances;
 }
 
-// From the farthest to the nearest, as blending wants them.
+// From the farthest to the nearest, as blending requires.
 std::vector<Instance> puffInstances(const std::vector<MistPuff>& mist, const Eigen::Vector3f& eye) {
     std::vector<MistPuff> puffs;
     std::copy_if(mist.begin(), mist.end(), std::back_inserter(puffs), [](const MistPuff& puff) {

@@ -1,4 +1,4 @@
-// Drops, streaks and mist in graphics memory.
+// Draws drops, streaks and mist.
 #pragma once
 
 #include "viewer/gl/instanced_quads.h"
@@ -13,7 +13,7 @@ class AirborneWater {
     // Throws std::runtime_error when the driver refuses a shader.
     AirborneWater();
 
-    // Replaces what there is; leaves out what is not finite or has no size.
+    // Replaces the contents, without objects that are not finite or have no size.
     void upload(const Picture& picture);
     bool empty() const { return drops_.empty() && streaks_.empty() && puffs_.empty(); }
     // Draws all into the current framebuffer. The frame's uniforms, the shadow map and the colour and the

@@ -5,13 +5,13 @@
 
 namespace drench::viewer {
 
-// What lies behind everything else.
+// The ground and the sky.
 class BackgroundPass {
   public:
     // Needs a current OpenGL context; throws as ShaderProgram does.
     BackgroundPass();
 
-    // Draws into the bound scene, where nothing nearer is drawn already.
+    // Draws into the bound scene, where no nearer object is drawn already.
     void draw(bool groundIsSeen) const;
     // Draws the ground into a bound target that has depth only.
     void drawDepth(bool groundIsSeen) const;

@@ -30,7 +30,7 @@ FrameUniforms cameraUniforms(const Picture& picture, const std::vector<Ball>& ba
     const Eigen::Matrix4f projection = picture.camera.projection(static_cast<float>(width) / rows);
     const Eigen::Matrix4f clipFromWorld = projection * picture.camera.view();
     uniforms.clipFromWorld = clipFromWorld;
-    // From the eye, so that rays stay exact however far the far plane is.
+    // Relative to the camera, so that rays are accurate however far the far plane is.
     Eigen::Matrix4f turned = picture.camera.view();
     turned.topRightCorner<3, 1>().setZero();
     uniforms.offsetFromClip = (projection * turned).inverse();

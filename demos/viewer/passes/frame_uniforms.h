@@ -1,4 +1,4 @@
-// What every shader knows about the frame.
+// Uniforms of a frame for all shaders.
 #pragma once
 
 #include <array>
@@ -14,30 +14,29 @@ struct FrameUniforms {
     static constexpr std::size_t maxBalls = 8;
 
     Eigen::Matrix<float, 4, 4, Eigen::DontAlign> clipFromWorld;
-    // To where a place is from the eye.
+    // Clip space to positions relative to the camera.
     Eigen::Matrix<float, 4, 4, Eigen::DontAlign> offsetFromClip;
     Eigen::Matrix<float, 4, 4, Eigen::DontAlign> shadowFromWorld;
     std::array<float, 4> eye;
-    // Direction, and the share of its light that passes the clouds.
+    // Direction, and fraction of the sunlight that passes the clouds.
     std::array<float, 4> towardsSun;
-    // Side, texel and depth of the shadow map, metres.
+    // Edge length, texel size and depth range of the shadow map, m.
     std::array<float, 4> shadowSize;
-    // Ground height, number of balls, and of the open ground the share that is wet and how wet that is.
+    // Ground height, number of balls, and for the open ground its wet fraction and the wetness of that.
     std::array<float, 4> ground;
-    // Centre and radius of the balls that darken what is near them.
+    // Centre and radius of the balls for ambient occlusion.
     std::array<std::array<float, 4>, maxBalls> balls;
-    // The two elements of the projection that make depth; width that a pixel sees at a distance of 1.
+    // The two elements of the projection that determine depth; width of a pixel at a distance of 1.
     std::array<float, 4> lens;
-    // The rectangle beyond which the ground is open: its least x and z, its largest.
+    // The rectangle beyond which the ground counts as open: smallest x and z, largest x and z.
     std::array<float, 4> patched;
 };
 
-// The block as the camera sees the picture of width x height pixels, with the picture's drawable
-// balls.
+// The block for the camera of a picture of width x height pixels, with its drawable balls.
 FrameUniforms cameraUniforms(const Picture& picture, const std::vector<Ball>& balls, int width, int height,
                              const ShadowFit& shadow);
 
-// The same block with the sun's view in place of the camera's, for drawing the shadow map.
+// The same block with the view of the sun, for drawing the shadow map.
 FrameUniforms sunUniforms(const FrameUniforms& camera, const ShadowFit& shadow);
 
 // A FrameUniforms block in graphics memory.

@@ -1,4 +1,4 @@
-// Values as shaders take them, and which of them can be drawn; plain arithmetic, no OpenGL.
+// Converts values for shaders, and checks whether they can be drawn; no OpenGL.
 #pragma once
 
 #include <Eigen/Geometry>

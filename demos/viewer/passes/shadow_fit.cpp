@@ -7,7 +7,7 @@ namespace drench::viewer {
 
 namespace {
 
-// Rows are the map's right, up and the way to the sun.
+// The rows are the right, up and sun directions of the map.
 Eigen::Matrix3f sunRotation(const Eigen::Vector3f& towardsSun) {
     const Eigen::Vector3f helper =
         std::abs(towardsSun.y()) < 0.95f ? Eigen::Vector3f::UnitY() : Eigen::Vector3f::UnitZ();

@@ -9,7 +9,7 @@
 
 namespace drench::viewer {
 
-// The vertices and triangles of one sheet; reused from frame to frame.
+// The vertices and triangles of one sheet; reused for each frame.
 class SheetBuffer {
   public:
     SheetBuffer() {

@@ -8,7 +8,7 @@
 
 namespace drench::viewer {
 
-// The sheets in graphics memory and the shaders that draw them.
+// The sheets in graphics memory, and their shaders.
 class SheetPass {
   public:
     // Needs a current OpenGL context; throws as ShaderProgram does.
@@ -20,10 +20,10 @@ class SheetPass {
     bool empty() const { return count_ == 0; }
     // Draws into the bound shadow map.
     void drawShadows() const;
-    // Draws how much light each sheet lets through into the bound layers, where no solid of what is resolved for lookup
-    // hides it.
+    // Draws the transmittance of each sheet into the bound layers, where no solid in the resolved scene hides
+    // it.
     void drawLayers() const;
-    // Draws into the bound scene, over what is resolved for lookup.
+    // Draws into the bound scene; reads the resolved scene.
     void draw() const;
 
   private:

@@ -7,15 +7,15 @@ namespace {
 using Corners = std::array<const SheetVertex*, 3>;
 using Weights = std::array<float, 3>;
 
-// Every sum runs over the corners alike, so that two triangles agree to the last bit on the points of their
-// common edge and leave no cracks.
+// Sums run over the corners in the same order, so that two triangles get identical points on their common
+// edge, and there are no cracks.
 template <typename Value>
 Value mixed(const Corners& corners, const Weights& weights, Value SheetVertex::*field) {
     return weights[0] * corners[0]->*field + weights[1] * corners[1]->*field +
            weights[2] * corners[2]->*field;
 }
 
-// Halfway from the flat triangle to its corners' tangent planes lies the sphere that has these normals.
+// The sphere with these normals lies halfway between the flat triangle and the tangent planes at its corners.
 Eigen::Vector3f bent(const Corners& corners, const Weights& weights) {
     const Eigen::Vector3f flat = mixed(corners, weights, &SheetVertex::position);
     std::array<Eigen::Vector3f, 3> lifts;

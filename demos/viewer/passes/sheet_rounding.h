@@ -1,4 +1,4 @@
-// Curved triangles for sheets; plain arithmetic, no OpenGL.
+// Subdivides the triangles of sheets into curved surfaces; no OpenGL.
 #pragma once
 
 #include <array>
@@ -16,9 +16,9 @@ struct SheetTriangles {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-// Splits every triangle and bends the pieces to follow the normals at its corners, so that cloth round a ball
-// looks round and the ball does not show through flat facets. The nodes themselves stay where they are.
-// Sheets of very many triangles are fine enough as they are and are split less.
+// Divides every triangle and bends the parts to follow the normals at its corners, so that cloth on a ball
+// looks round and the ball does not show through flat facets. The nodes themselves do not move. Sheets of
+// very many triangles are divided less.
 SheetTriangles rounded(const std::vector<SheetVertex>& nodes,
                        const std::vector<std::array<std::uint32_t, 3>>& triangles);
 

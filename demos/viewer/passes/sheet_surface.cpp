@@ -51,7 +51,7 @@ bool drawable(const SheetMesh& sheet) {
     return true;
 }
 
-// What a node has in a list that may be empty; 0 for what is missing or not finite.
+// Value of a node in a list that may be empty; 0 if missing or not finite.
 float entry(const std::vector<float>& list, std::size_t node) {
     return list.empty() || !std::isfinite(list[node]) ? 0.0f : list[node];
 }
@@ -68,7 +68,7 @@ std::vector<SheetVertex> bareVertices(const SheetMesh& sheet) {
         vertex.transmittance = std::clamp(entry(sheet.transmittance, i), 0.0f, 1.0f);
         vertex.value = entry(sheet.values, i);
         vertex.hollow = 0.0f;
-        // A constant coordinate makes the weave pattern flat.
+        // Constant coordinates disable the weave pattern.
         vertex.clothCoordinates.setZero();
         if (!sheet.clothCoordinates.empty() && sheet.clothCoordinates[i].allFinite())
             vertex.clothCoordinates = sheet.clothCoordinates[i];
@@ -76,8 +76,9 @@ std::vector<SheetVertex> bareVertices(const SheetMesh& sheet) {
     return vertices;
 }
 
-// From how well the normals round a node agree, 0 to 1. Round a fold as tight as a triangle is wide they add up to some
-// 0.8 of their length; rounded further, its two sides would pass through each other.
+// Computed from the agreement of the normals around a node, 0 to 1. At a fold as tight as the width of a
+// triangle their sum has about 0.8 of its full length; with more rounding the two sides of the fold would
+// intersect.
 float roundnessOf(float agreement) {
     constexpr float sharp = 0.75f, smooth = 0.93f;
     return std::clamp((agreement - sharp) / (smooth - sharp), 0.0f, 1.0f);
@@ -88,7 +89,7 @@ void computeNormals(const SheetMesh& sheet, std::vector<SheetVertex>& vertices) 
     for (const auto& triangle : sheet.triangles) {
         const auto& [a, b, c] = triangle;
         const Eigen::Vector3f origin = vertices[a].position;
-        // The cross product is as long as twice the area, which weights the average.
+        // The length of the cross product is twice the area, so the average is area-weighted.
         const Eigen::Vector3f normal = (vertices[b].position - origin).cross(vertices[c].position - origin);
         const float area = normal.norm();
         for (const std::uint32_t corner : triangle) {

@@ -1,4 +1,4 @@
-// A sheet as the graphics card wants it; plain arithmetic, no OpenGL.
+// The vertices of a sheet for the graphics card; no OpenGL.
 #pragma once
 
 #include <optional>
@@ -8,22 +8,22 @@
 
 namespace drench::viewer {
 
-// One node of a sheet with all that its shading needs.
+// One node of a sheet with all values for shading.
 struct SheetVertex {
     Eigen::Vector3f position;
-    // Unit length, averaged over the triangles round the node by area.
+    // Unit length, area-weighted over the triangles around the node.
     Eigen::Vector3f normal;
     Eigen::Vector3f albedo;
     float gloss;
     float dampness;
     float transmittance;
-    // How far the surface bends towards its normal, 1/m: above 0 in a hollow, below 0 on a ridge.
+    // Curvature of the surface towards its normal, 1/m: above 0 in a hollow, below 0 on a ridge.
     float hollow;
-    // Of the quantity of the legend.
+    // Value of the quantity of the legend.
     float value;
-    // How far the surface may be rounded at the node: 1 where it is smooth, 0 in a sharp fold.
+    // How much the surface may be rounded at the node: 1 where it is smooth, 0 in a sharp fold.
     float roundness;
-    // In the flat cloth, metres.
+    // Material coordinates, m.
     Eigen::Vector2f clothCoordinates;
 };
 

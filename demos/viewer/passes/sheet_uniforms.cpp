@@ -38,7 +38,7 @@ float hemWidth(const SheetMesh& sheet, const Bounds& bounds) {
     const Eigen::Vector2f size = bounds.high - bounds.low;
     const float box = size.x() * size.y();
     const bool rectangle = box > 0.0f && std::abs(clothArea(sheet) - box) < 0.01f * box;
-    // Nobody hems a narrow strip.
+    // Narrow strips have no hem.
     constexpr float narrow = 0.15f;
     return rectangle && size.minCoeff() > narrow ? std::clamp(0.015f * size.minCoeff(), 0.003f, 0.015f)
                                                  : 0.0f;

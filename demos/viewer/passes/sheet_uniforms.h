@@ -1,4 +1,4 @@
-// What the shaders know about one sheet as a whole; plain arithmetic, no OpenGL.
+// Uniforms of one sheet; no OpenGL.
 #pragma once
 
 #include <array>
@@ -11,18 +11,18 @@ namespace drench::viewer {
 
 // The uniform block Sheet of sheetBlock.glsl in std140 layout; the two must be changed together.
 struct SheetUniforms {
-    // The lowest and the highest material coordinates, metres.
+    // Smallest and largest material coordinates, m.
     std::array<float, 4> clothBounds;
-    // Thread spacing in metres, 0 for no threads; the weave as a number; width of the hem in metres, 0 for none.
+    // Thread spacing, m, 0 for no threads; the weave as a number; width of the hem, m, 0 for none.
     std::array<float, 4> threading;
-    // Values of the first and the last colour; 1 where values are to be shown, else 0.
+    // Values at the first and the last colour; 1 if values are shown, otherwise 0.
     std::array<float, 4> legend;
     // Linear RGB.
     std::array<std::array<float, 4>, colourStops> legendColours;
 };
 
-// The block of a sheet; its values are shown where there are any and a legend says what they mean. Only sheets that are
-// rectangles in material coordinates, and no narrow strips, have a hem.
+// The block of a sheet; its values are shown if there are any and the picture has a legend. Only sheets that
+// are rectangles in material coordinates, but not narrow strips, have a hem.
 SheetUniforms sheetUniforms(const SheetMesh& sheet, const std::optional<Legend>& legend);
 
 }  // namespace drench::viewer

@@ -35,7 +35,7 @@ void addCorners(std::vector<Eigen::Vector3f>& points, const Rod& rod) {
 }
 
 void addCorners(std::vector<Eigen::Vector3f>& points, const Box& box) {
-    // However it is turned, it lies within the ball round its corners.
+    // In any orientation it lies within the sphere through its corners.
     addCorners(points, box.centre, box.halfExtents.norm());
 }
 

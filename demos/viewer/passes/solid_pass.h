@@ -1,4 +1,4 @@
-// Draws the balls, rods and boxes of a picture.
+// Draws the balls, capsules and boxes of a picture.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace drench::viewer {
 
-// The solids in graphics memory and the shaders that draw them.
+// The solids in graphics memory, and their shaders.
 class SolidPass {
   public:
     // Needs a current OpenGL context; throws as ShaderProgram does.

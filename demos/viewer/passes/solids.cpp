@@ -12,7 +12,7 @@ bool hasVolume(const Eigen::Vector3f& half) {
     return isDrawable(half.x()) && isDrawable(half.y()) && isDrawable(half.z());
 }
 
-// As the shaders know it.
+// As numbered in the shaders.
 float number(Material material) {
     return static_cast<float>(material);
 }

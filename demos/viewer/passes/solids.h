@@ -1,4 +1,4 @@
-// Balls, rods, boxes and standing water in graphics memory.
+// Balls, capsules, boxes and pools in graphics memory.
 #pragma once
 
 #include <array>
@@ -10,20 +10,20 @@
 
 namespace drench::viewer {
 
-// One ball, rod, box or water as the vertex shaders read it.
+// One ball, capsule, box or pool as the vertex shaders read it.
 struct SolidInstance {
     // A ball's centre and radius, a rod's start and radius, a box's centre, or a water's
     // centre and time.
     std::array<float, 4> first;
     // The orientation (x, y, z, w) of a ball or a box, or a rod's end.
     std::array<float, 4> second;
-    // In the last place the number of the material.
+    // The last component is the number of the material.
     std::array<float, 4> albedo;
-    // Half the sides of a box or a water.
+    // Half the edge lengths of a box or a pool.
     std::array<float, 4> extents = {};
 };
 
-// Whether one can be drawn: finite, with a radius or a volume above 0.
+// Whether it can be drawn: finite, with a radius or a volume above 0.
 bool isDrawable(const Ball& ball);
 bool isDrawable(const Rod& rod);
 bool isDrawable(const Box& box);
@@ -34,7 +34,7 @@ SolidInstance instanceOf(const Rod& rod);
 SolidInstance instanceOf(const Box& box);
 SolidInstance instanceOf(const Water& water);
 
-// Those that can be drawn.
+// The drawable ones.
 template <typename Solid>
 std::vector<Solid> drawable(const std::vector<Solid>& solids) {
     std::vector<Solid> kept;

@@ -1,4 +1,4 @@
-// Draws the standing water of a picture.
+// Draws the pools of a picture.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace drench::viewer {
 
-// The waters in graphics memory and the shader that draws them.
+// The pools in graphics memory, and their shader.
 class WaterPass {
   public:
     // Needs a current OpenGL context; throws as ShaderProgram does.
@@ -17,7 +17,7 @@ class WaterPass {
     // Replaces the waters by those that can be drawn.
     void upload(const std::vector<Water>& waters);
     bool empty() const { return waters_.empty(); }
-    // Draws into the bound scene over what is resolved for lookup.
+    // Draws into the bound scene; reads the resolved scene.
     void draw() const;
 
   private:

@@ -65,7 +65,7 @@ void WetPatches::upload(const std::vector<WetPatch>& patches) {
 
 void WetPatches::beginSolids(int width, int height) {
     if (!maps_ || maps_->width != width || maps_->height != height) {
-        // Gives the old memory back before it asks for the new.
+        // Frees the old memory before allocating the new.
         maps_.reset();
         maps_.emplace(width, height);
     }
@@ -83,7 +83,7 @@ void WetPatches::drawOntoSolids() const {
     glActiveTexture(GL_TEXTURE0);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
-    // Where patches overlap they are wetter, and edges that meet run together.
+    // Overlapping patches are wetter, and their edges merge.
     glBlendFunc(GL_ONE, GL_ONE);
     program_.use();
     quads_.draw();

@@ -1,4 +1,4 @@
-// Which pixels of the solids and of the ground are wet.
+// Map of the wet pixels of solids and ground.
 #pragma once
 
 #include <optional>
@@ -21,12 +21,13 @@ class WetPatches {
     void upload(const std::vector<WetPatch>& patches);
     bool empty() const { return quads_.empty(); }
 
-    // Makes the following draw calls fill the depth of what can be wet, in a picture of this size.
+    // Prepares the depth buffer for surfaces that can be wet, in a picture of this size, for the following
+    // draw calls.
     // Throws std::runtime_error when the driver cannot provide it.
     void beginSolids(int width, int height);
     // Draws the patches onto that depth. The frame's uniforms must be bound.
     void drawOntoSolids() const;
-    // Puts the map at texture unit 6, or a dry one if there are no patches.
+    // Binds the map to texture unit 6, or a dry one if there are no patches.
     void bindForLookup() const;
 
   private:

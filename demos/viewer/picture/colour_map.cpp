@@ -31,7 +31,7 @@ Eigen::Vector3f mappedColour(float fraction) {
     const float t = std::clamp(fraction, 0.0f, 1.0f);
     const float lightness = 0.28f + 0.64f * t;
     const float hue = (300.0f - 195.0f * t) * degree;
-    // As vivid as the screen can show it, up to a limit.
+    // As saturated as the screen can show it, up to a limit.
     Eigen::Vector3f rgb = Eigen::Vector3f::Constant(lightness * lightness * lightness);
     for (float chroma = 0.005f; chroma < 0.15f; chroma += 0.005f) {
         const Eigen::Vector3f candidate =

@@ -1,15 +1,15 @@
-// The colours that stand for values; plain arithmetic, no OpenGL.
+// Colours for values; no OpenGL.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace drench::viewer {
 
-// Number of colours between which a shader may mix.
+// Number of colours, between which a shader interpolates.
 constexpr std::size_t colourStops = 9;
 
-// Linear RGB for a share of the way from the lowest value to the highest, clamped to 0 to 1: from dark violet over
-// teal to light yellow, in steps that look alike, ever lighter, so that it also reads without colour.
+// Linear RGB for a fraction of the range of values, clamped to 0 to 1: from dark violet over teal to light
+// yellow, perceptually uniform and increasingly light, so that it is also readable without colour.
 Eigen::Vector3f mappedColour(float fraction);
 
 }  // namespace drench::viewer

@@ -7,7 +7,7 @@ namespace drench::viewer {
 
 void orbit(Camera& camera, float right, float down) {
     constexpr float radiansPerHeight = 3.0f;
-    // Just short of straight up, where yaw would lose its meaning.
+    // Slightly below vertical, where yaw would be undefined.
     constexpr float steepest = 1.5f;
     constexpr float fullTurn = 6.2831853f;
     camera.yaw = std::remainder(camera.yaw - radiansPerHeight * right, fullTurn);

@@ -49,7 +49,7 @@ bool meetsSheet(const Ray& ray, const Picture& picture) {
         for (const auto& triangle : sheet.triangles) {
             const auto distance = distanceTo(ray, sheet.positions[triangle[0]], sheet.positions[triangle[1]],
                                              sheet.positions[triangle[2]]);
-            // Cloth on a ball lies on it within the thickness of the picture.
+            // Cloth on a ball may be at the same distance, within a tolerance.
             constexpr float onIt = 0.02f;
             if (distance && *distance < max + onIt) return true;
         }

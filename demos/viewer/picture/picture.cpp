@@ -55,7 +55,7 @@ Eigen::Matrix4f Camera::projection(float aspect) const {
     return matrix;
 }
 
-// With 24 bits of depth these two planes tell 0.01 mm apart at the target of a camera 5 m away.
+// With a depth of 24 bits these planes resolve 0.01 mm at the target of a camera 5 m away.
 float Camera::nearPlane() const {
     return 0.04f * distance;
 }

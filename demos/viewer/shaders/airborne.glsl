@@ -1,4 +1,4 @@
-// Their own scale on the screen, and the finished picture.
+// Scale of drops, streaks and mist on the screen, and lookups in the finished picture.
 uniform sampler2D scene;
 
 float metresPerPixel(vec3 place) {

@@ -6,10 +6,10 @@ flat in vec3 albedo;
 flat in int material;
 out vec4 colour;
 
-// How far a place is inside the six panels and the two caps that are dark, as a share of the radius; below 0
-// outside.
+// Distance of a position inside the six panels and the two caps that are dark, as a fraction of the radius;
+// negative outside.
 float insideDark(vec3 at) {
-    // The sine of three times the longitude, without the seam that an angle has.
+    // The sine of three times the longitude, without the discontinuity of an angle.
     float wave = at.z * (3.0 * at.x * at.x - at.z * at.z);
     float panel = wave / (3.0 * max(dot(at.xz, at.xz), 0.02));
     return max(panel, abs(at.y) - 0.93);

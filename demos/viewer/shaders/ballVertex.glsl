@@ -17,7 +17,8 @@ void main() {
     albedo = paint.rgb;
     material = int(paint.a + 0.5);
     gl_Position = clipFromWorld * vec4(position, 1.0);
-    // Cloth that lies on the ball wins against it: the depth, not the place, of a point 3 mm farther away.
+    // Cloth that lies on the ball must be drawn over it: the depth (not the position) is that of a point 3 mm
+    // farther away.
     if (gl_Position.w > 0.01) {
         vec4 behind = clipFromWorld * vec4(position + 0.003 * normalize(position - eye.xyz), 1.0);
         gl_Position.z = behind.z / behind.w * gl_Position.w;

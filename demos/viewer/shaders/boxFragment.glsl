@@ -1,4 +1,5 @@
-// As on a ball, cloth that lies on the box wins against it; here pixel by pixel, since corners are far apart.
+// As on a ball, cloth that lies on the box must be drawn over it; here per pixel, because corners are far
+// apart.
 in vec3 position;
 in vec3 inBox;
 flat in vec3 normal;
@@ -7,15 +8,15 @@ flat in vec3 albedo;
 flat in int material;
 out vec4 colour;
 
-// The sides of the box from the longest to the shortest, as x, y and z.
+// The edges of the box from the longest to the shortest, as x, y and z.
 vec3 byLength(vec3 at, vec3 sides) {
     at = sides.x >= sides.y && sides.x >= sides.z ? at.xyz : sides.y >= sides.z ? at.yzx : at.zxy;
     sides = sides.x >= sides.y && sides.x >= sides.z ? sides.xyz : sides.y >= sides.z ? sides.yzx : sides.zxy;
     return sides.y >= sides.z ? at : at.xzy;
 }
 
-// A wide box is made of boards. Moves `at` into a piece of wood of its own for each, and tells how light that
-// is and how much of the pixel is joint.
+// A wide box is made of boards. Moves `at` into a separate piece of wood for each board, and returns its
+// brightness and the fraction of the pixel that is a joint.
 void findBoard(inout vec3 at, vec3 sides, out float lightness, out float joint) {
     const float widest = 0.14, halfJoint = 0.0022;
     float side = byLength(sides, sides).y;

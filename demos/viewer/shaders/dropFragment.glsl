@@ -1,4 +1,5 @@
-// A clear ball: light from behind is bent twice and shows the world upside down, the rim mirrors the sky.
+// A transparent ball: light from behind is refracted twice and shows the world upside down, the rim reflects
+// the sky.
 in vec2 onDrop;
 flat in vec3 centre;
 flat in vec3 along;
@@ -9,7 +10,7 @@ flat in float sun;
 flat in float slimness;
 out vec4 colour;
 
-// The finished picture in a direction from the drop; what it does not show is the light of the sky and the
+// The finished picture in a direction from the drop; outside the picture, the light of the sky and the
 // ground.
 vec3 lookedUp(vec3 direction) {
     const float reach = 1.2;

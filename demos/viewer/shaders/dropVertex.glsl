@@ -1,4 +1,4 @@
-// A square across the line of sight, as long as the drop moves while the picture is exposed.
+// A quad perpendicular to the line of sight, as long as the drop moves during the exposure.
 layout(location = 0) in vec4 centreAndRadius;
 layout(location = 1) in vec4 drawnOut;
 out vec2 onDrop;
@@ -16,7 +16,7 @@ void main() {
     sun = sunAt(centre);
     float smallest = 0.75 * metresPerPixel(centre);
     float radius = max(centreAndRadius.w, smallest);
-    // What is too small for a pixel fills one in part.
+    // A drop smaller than a pixel covers a fraction of it.
     opacity = pow(centreAndRadius.w / radius, 1.5);
     vec3 seen = drawnOut.xyz - dot(drawnOut.xyz, towardsEye) * towardsEye;
     float halfWay = 0.5 * length(seen);
@@ -26,7 +26,7 @@ void main() {
     across = cross(along, towardsEye);
     float halfLength = radius + halfWay;
     slimness = radius / halfLength;
-    // It is in each place for a part of the exposure only.
+    // It is at each position for a fraction of the exposure only.
     opacity *= mix(0.6, 1.0, slimness);
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
     // Leaves room for a smooth edge.

@@ -20,7 +20,7 @@ float pores(vec2 at, float pixel) {
            (1.0 - smoothstep(0.0010, 0.0022, pixel));
 }
 
-// Rows of flagstones, 0.5 m by 0.7 m, each of a tone of its own, with sand in the joints.
+// Rows of flagstones, 0.5 m by 0.7 m, each with its own tone, with sand in the joints.
 Soil paving(vec2 at, float pixel) {
     const vec2 size = vec2(0.7, 0.5);
     const float halfJoint = 0.005;
@@ -42,7 +42,7 @@ Soil paving(vec2 at, float pixel) {
     stoneAlbedo *= 1.0 + 0.16 * tone + 0.16 * stains + 0.20 * grain + 0.12 * pits - 0.22 * pores(at, pixel);
     vec3 sand = vec3(0.115, 0.105, 0.078) * (1.0 + 0.3 * grain);
     float rounded = smoothstep(0.0, 0.02, edge) * (1.0 - smoothstep(0.004, 0.02, pixel));
-    // The pits of one slab do not go on in the next.
+    // The pits of a slab do not continue in the next slab.
     float uneven = (1.0 - joint) * (0.0007 * grain + 0.0010 * pits);
     return Soil(mix(stoneAlbedo, sand, joint), 0.0016 * rounded + uneven);
 }
@@ -64,7 +64,7 @@ float onTerrace(vec2 at, float pixel) {
     return 1.0 - smoothstep(-0.02 - pixel, 0.02 + pixel, edge);
 }
 
-// How wet rain has made open ground: spots that run together, then a film.
+// Wetness of open ground by rain: spots that merge, then a film.
 float openWetness(vec2 at, float pixel) {
     if (ground.z <= 0.0) return 0.0;
     vec2 outside = max(patched.xy - at, at - patched.zw);

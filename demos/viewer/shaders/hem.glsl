@@ -7,7 +7,7 @@ struct Hem {
     vec2 slope;
 };
 
-// The share of the pixel that a line covers.
+// The fraction of the pixel that a line covers.
 float lineCover(float away, float halfWidth, float pixel) {
     return clamp((halfWidth + 0.5 * pixel - abs(away)) / pixel, 0.0, 1.0) * min(2.0 * halfWidth / pixel, 1.0);
 }
@@ -20,7 +20,7 @@ float ripple(float along, float fromSeam, float width, float pixel) {
     return 0.16 * exp(-near * near) * kept * noiseAndSlope(vec2(along / wave, 0.5)).y;
 }
 
-// The share of the pixel that stitches cover, one by one close by.
+// The fraction of the pixel that stitches cover; single stitches at close range.
 float stitches(float along, float fromSeam, float pixel) {
     const float length = 0.0035;
     float single = smoothstep(0.25, 0.35, abs(fract(along / length) - 0.5));

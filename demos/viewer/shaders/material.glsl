@@ -1,4 +1,4 @@
-// What no light passes through, under a smooth coat (F0, roughness), lit by the sun and the sky.
+// An opaque material under a smooth coat (F0, roughness), lit by the sun and the sky.
 struct Surface {
     vec3 position;
     vec3 normal;

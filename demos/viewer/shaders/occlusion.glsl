@@ -1,8 +1,8 @@
-// How much of the sun (sunVisible) and of the sky (openness) reaches a point.
+// Fractions of the sun (sunVisible) and of the sky (openness) that reach a point.
 uniform sampler2DShadow sunShadow;
 // The same map without the comparison.
 uniform sampler2D sunDepth;
-// Share of the sun that sheets let through, and the depth of the nearest solid.
+// Fraction of the sunlight that sheets transmit, and the depth of the nearest solid.
 uniform sampler2D sunPassing;
 
 // A dither angle for each pixel that turns the sampling pattern, so that bands become fine grain.
@@ -16,8 +16,8 @@ vec2 pattern(int tap, int taps, float start) {
     return sqrt((float(tap) + 0.5) / float(taps)) * vec2(cos(angle), sin(angle));
 }
 
-// Radius over which shadow edges are smeared, metres: the farther from what casts the shadow, the more. 0 where
-// nothing near `map` casts one.
+// Radius over which shadow edges are blurred, m: increases with the distance from the object that casts the
+// shadow. 0 if there is none near `map`.
 float penumbra(vec3 map, float start) {
     const int taps = 10;
     const float search = 0.11;
@@ -60,7 +60,7 @@ float sunVisible(vec3 position, vec3 normal) {
         visible += lit;
         if (i % 2 == 0) {
             vec2 passing = texture(sunPassing, at).xy;
-            // Where there is no sheet at all, a solid is in the way.
+            // Without a sheet there, the shadow is that of a solid.
             passing.x *= step(passing.x, 0.999) * step(depth, passing.y + 0.0005);
             throughSheets += (1.0 - lit) * vec2(passing.x, 1.0);
         }
@@ -69,7 +69,7 @@ float sunVisible(vec3 position, vec3 normal) {
     return visible + (1.0 - visible) * throughSheets.x / throughSheets.y;
 }
 
-// The share of the sky that the balls leave open, seen from a surface facing `normal`.
+// The fraction of the sky that is not hidden by balls, seen from a surface facing `normal`.
 float opennessAmongBalls(vec3 position, vec3 normal) {
     float open = 1.0;
     for (int i = 0; i < int(ground.y); ++i) {

@@ -1,4 +1,4 @@
-// Looks up which place a solid has in this pixel, and how wet the patch makes it.
+// Looks up the position of the solid in this pixel, and how wet the patch makes it.
 flat in vec4 ball;
 flat in vec4 turn;
 flat in vec2 kind;

@@ -1,4 +1,4 @@
-// The place of what is drawn already.
+// The position of the surface that is already drawn in a pixel.
 uniform sampler2D sceneDepth;
 
 vec3 placeBehind(ivec2 pixel) {

@@ -1,4 +1,4 @@
-// The way of the line of sight through the cloud, as far as nothing solid ends it.
+// The length of the line of sight within the cloud, in front of solids.
 in vec2 onPuff;
 in vec3 position;
 flat in vec4 ball;

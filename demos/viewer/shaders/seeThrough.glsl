@@ -1,21 +1,21 @@
-// What is seen through a sheet: the scene without sheets, blurred by the way behind the sheet.
+// The background seen through a sheet: the scene without sheets, blurred by its distance behind the sheet.
 uniform sampler2D scene;
 uniform sampler2D sceneDepth;
 
-// What all sheets that cover a pixel let through, one after the other.
+// Product of the transmittances of all sheets that cover a pixel.
 uniform sampler2D sheetLayers;
 
-// What the others let through to one that is seen itself.
+// Transmittance of the other sheets, for a sheet that is visible itself.
 float otherLayers(float transmittance) {
     return min(texelFetch(sheetLayers, ivec2(gl_FragCoord.xy), 0).r / max(transmittance, 0.01), 1.0);
 }
 
-// Share of the light let through that keeps its way: exp(-S h) over the transmittance 1 / (1 + S h).
+// Fraction of the transmitted light that is not scattered: exp(-S h) over the transmittance 1 / (1 + S h).
 float clearness(float transmittance) {
     return exp(1.0 - 1.0 / max(transmittance, 0.02)) / max(transmittance, 0.02);
 }
 
-// The light from what lies behind, and in w how far behind it lies, metres.
+// The light from behind, and in w the distance of the background behind the sheet, m.
 vec4 lightBehind(float clear) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float away = lens.y / (2.0 * texelFetch(sceneDepth, pixel, 0).r - 1.0 + lens.x);

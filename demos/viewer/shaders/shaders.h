@@ -1,19 +1,19 @@
-// Pieces of GLSL source, of which the programs are put together; each is the file of its name beside this one.
+// Pieces of GLSL source that make up the shader programs; each is the file of its name in this folder.
 #pragma once
 
 namespace drench::viewer::shaders {
 
-// Shared: the frame, its light, and what is looked up.
+// Common: frame, light, and texture lookups.
 extern const char frame[], sky[], occlusion[], material[], noise[], turning[], placeBehind[];
 
-// Ground, sky, and the way to the screen.
+// Ground, sky, and conversion to the screen.
 extern const char fullScreenVertex[], groundVertex[], groundFragment[], skyFragment[], depthFragment[],
     presentFragment[];
 
-// What solids are made of, and what water on them does.
+// Materials of solids, and the effect of water on them.
 extern const char wetting[], solidMaterials[];
 
-// Balls, rods and boxes.
+// Balls, capsules and boxes.
 extern const char ballVertex[], ballFragment[], rodVertex[], rodFragment[], boxVertex[], boxFragment[];
 
 // Wet patches on solids.
@@ -26,10 +26,10 @@ extern const char relief[], threads[], cloth[], hem[];
 extern const char sheetBlock[], sheetVertex[], dye[], seeThrough[], sheetLight[], sheetFragment[],
     sheetLayerFragment[];
 
-// What the sun's map keeps of sheets and solids.
+// Shadow map of sheets and solids.
 extern const char sheetShadowFragment[], solidShadowFragment[];
 
-// Standing water.
+// Pools.
 extern const char waterVertex[], waterFragment[];
 
 // Drops, streaks and mist.

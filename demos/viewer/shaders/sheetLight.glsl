@@ -16,7 +16,7 @@ struct Cloth {
     vec3 filmNormal;
     vec3 albedo;
     float transmittance;
-    // Share that a film covers, and its roughness.
+    // Fraction covered by a film, and its roughness.
     float film;
     float roughness;
     // 1 where fibres stand off, 0 where water lays them.
@@ -29,10 +29,10 @@ vec3 diffuseLight(Cloth c, vec3 sun, float towards) {
     vec3 back = sun * max(-towards, 0.0) + ambientLight(-c.normal) * c.openness;
     float clear = clearness(c.transmittance);
     vec4 behind = lightBehind(clear);
-    // What touches the cloth is seen however much light scatters on the way. Cloth that lies on a solid is drawn up to a
-    // centimetre off it.
+    // An object in contact with the cloth is visible however much the cloth scatters. Cloth that lies on a
+    // solid is drawn up to a centimetre away from it.
     float touching = 1.0 - smoothstep(0.012, 0.03, behind.w);
-    // The sky that the cloth keeps off is still on it.
+    // The sky that the cloth hides still lights it.
     behind.rgb *= 1.0 - 0.25 * touching;
     // Between dry threads there are gaps, which water closes to light as it does to air.
     vec3 tint = c.albedo / max(max(c.albedo.r, c.albedo.g), max(c.albedo.b, 1e-3));

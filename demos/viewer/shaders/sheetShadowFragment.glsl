@@ -1,4 +1,4 @@
-// Blended by the smaller value: the share of the sun that sheets let through, and the depth of the nearest solid.
+// Blended by minimum: the fraction of the sunlight that sheets transmit, and the depth of the nearest solid.
 in vec3 albedo;
 in float transmittance;
 out vec2 passing;

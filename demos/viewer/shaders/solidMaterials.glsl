@@ -1,12 +1,12 @@
-// The materials of picture.h, by their numbers. A place `at` is in metres in the frame of the solid, x along
-// the grain, y across it, z through the thickness.
+// The materials of picture.h, by their numbers. A position `at` is in metres in the frame of the solid, x
+// along the grain, y across it, z through the thickness.
 const int paint = 0, wood = 1, metal = 2, stone = 3, rope = 4;
 
 struct Finish {
     vec3 albedo;
     float reflectance;
     float roughness;
-    // Metres over the smooth surface.
+    // Height above the smooth surface, m.
     float height;
 };
 
@@ -15,7 +15,7 @@ Finish woodFinish(vec3 at, vec3 albedo, float pixel) {
     float bent = 0.008 * valueNoise(at * vec3(1.7, 14.0, 14.0));
     bent += 0.02 * valueNoise(at * vec3(0.9, 3.0, 3.0) + 5.0);
     float fromPith = (length(at.yz - vec2(0.043, 0.031)) + bent) / ringWidth;
-    // Years differ.
+    // Annual rings differ.
     float rings = fromPith + 1.3 * valueNoise(vec2(0.55 * fromPith, 1.0));
     float strength = 0.65 + 0.7 * valueNoise(vec2(0.9 * fromPith, 8.0));
     float inRing = fract(rings);

@@ -1,4 +1,4 @@
-// How much sun reaches a small thing in the air, in one look for all of its pixels.
+// Sunlight at a small object in the air, with a single lookup for all of its pixels.
 uniform sampler2DShadow sunShadow;
 
 float sunAt(vec3 place) {

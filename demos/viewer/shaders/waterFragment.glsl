@@ -1,4 +1,5 @@
-// Looks up what the finished picture shows where the bent ray ends, and dims it by its way through the water.
+// Looks up the finished picture at the end of the refracted ray, and attenuates it by the length of the path
+// through the water.
 in vec3 position;
 flat in vec3 normal;
 flat in vec3 centre;
@@ -39,7 +40,7 @@ vec3 rippled() {
     return normalize(vec3(-rise.x, 1.0, -rise.y));
 }
 
-// How far a ray from here goes until it leaves the water.
+// Distance along a ray from here until it leaves the water.
 float wayThrough(vec3 direction) {
     vec3 steady = mix(vec3(1e-5), direction, greaterThan(abs(direction), vec3(1e-5)));
     vec3 ways = (sign(steady) * extents - (position - centre)) / steady;
@@ -56,8 +57,8 @@ bool inWater(vec3 place) {
     return all(lessThan(abs(place - centre), extents + 0.01));
 }
 
-// How far along a way from here a place is hidden first, between one that is not and one that is, as shares
-// of the way.
+// The first position along a path from here that is hidden, between one that is visible and one that is
+// hidden, as fractions of the path.
 float firstHidden(vec3 way, float from, float to) {
     for (int i = 0; i < 6; ++i) {
         float middle = 0.5 * (from + to);
@@ -69,12 +70,13 @@ float firstHidden(vec3 way, float from, float to) {
     return to;
 }
 
-// Whether the camera sees something at a place, or only something that the place is behind.
+// Whether the camera sees a surface at a position, rather than one in front of it.
 bool isSeen(vec3 place) {
     return distance(place, placeBehind(pixelOf(place))) < 0.03;
 }
 
-// Where a ray into the water meets something that the camera sees, as a share of its way; 1 if nowhere.
+// The position where a ray into the water hits a surface that the camera sees, as a fraction of the ray; 1 if
+// there is none.
 float firstMet(vec3 way) {
     const int steps = 24;
     float thickness = 2.0 * length(way) / float(steps);
@@ -109,14 +111,14 @@ float caustics(vec3 place, float down) {
     return mix(0.72, 1.0, min(1.0 / (0.25 + spread), 3.0));
 }
 
-// Whether a pixel shows not what is at a place, or beyond the water there, but something before it.
+// Whether a pixel shows an object in front of a position or of the water there.
 bool hidesAlone(ivec2 pixel, vec3 place) {
     vec3 seen = placeBehind(pixel);
     bool beforeWater = dot(seen - position, normal) > 0.0;
     return beforeWater || (inWater(seen) && distance(seen, eye.xyz) < distance(place, eye.xyz) - 0.04);
 }
 
-// Also where that is only near the pixel, whose colour has a share of it then.
+// Also if such an object is only near the pixel, because its colour is then mixed into it.
 bool hides(ivec2 pixel, vec3 place) {
     ivec2 last = textureSize(sceneDepth, 0) - 1;
     for (int i = 0; i < 4; ++i) {
@@ -126,7 +128,7 @@ bool hides(ivec2 pixel, vec3 place) {
     return hidesAlone(pixel, place);
 }
 
-// The pixel of a place, or if something hides that, the nearest that is clear: what is hidden looks alike.
+// The pixel of a position or, if it is hidden, the nearest one that is not: hidden areas look similar.
 ivec2 clearPixelOf(vec3 place) {
     const ivec2 ways[4] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
     ivec2 pixel = pixelOf(place);
@@ -150,8 +152,8 @@ float meniscus() {
     return width / blurred * exp(-min(fromGlass.x, fromGlass.y) / blurred);
 }
 
-// The picture round a place, and in w the share of it that lies near the place in depth too: less at an edge, and for
-// what is thin.
+// The picture around a position, and in w the fraction of it that is also near in depth: less at an edge, and
+// for thin objects.
 vec4 mirroredRound(vec3 place) {
     ivec2 size = textureSize(scene, 0);
     ivec2 middle = pixelOf(place);
@@ -166,8 +168,8 @@ vec4 mirroredRound(vec3 place) {
     return vec4(sum.rgb / max(sum.w, 1.0), smoothstep(0.3, 1.0, sum.w / 9.0));
 }
 
-// What the surface mirrors: solids and sheets where the picture shows them, else sky and ground. Already tone
-// mapped.
+// The reflection in the surface: solids and sheets where the picture shows them, otherwise sky and ground.
+// Already tone mapped.
 vec3 mirroredScene(vec3 direction, float roughness) {
     const int steps = 32;
     const float reach = 1.6;

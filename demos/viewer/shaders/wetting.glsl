@@ -1,6 +1,6 @@
 uniform sampler2D wetness;
 
-// A picture without patches comes with a single dry pixel, to which every place is clamped.
+// A picture without patches has a map with a single dry pixel, to which all lookups are clamped.
 float wetnessHere() {
     float water = texture(wetness, gl_FragCoord.xy / vec2(textureSize(wetness, 0))).r;
     return smoothstep(0.0, 0.75, water);
@@ -12,8 +12,7 @@ vec3 wetAlbedo(vec3 dry, float wet) {
     return mix(dry, dry / (index2 * (1.0 - dry) + dry), wet);
 }
 
-// A film of water has the shine of water, and fills what is rough; a damp place is dark already, but not yet
-// shiny.
+// A film of water is glossy and fills roughness; a damp spot is dark but not yet glossy.
 void makeWet(inout Surface s, float wet) {
     float film = wet * wet * wet;
     s.albedo = wetAlbedo(s.albedo, wet);

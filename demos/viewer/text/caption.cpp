@@ -26,7 +26,7 @@ float heightOf(const std::vector<std::string>& lines, float width) {
     return height;
 }
 
-// So that a line of some thirty letters fits.
+// So that a line of about thirty letters fits.
 float fontPixels(const Area& area) {
     const float pixels =
         std::min(static_cast<float>(area.height) / 22.0f, static_cast<float>(area.width) / 24.0f);
@@ -49,7 +49,7 @@ void Caption::draw(const Picture& picture, const Area& area) {
     if (picture.caption.empty() && !picture.legend) return;
     const ImGuiSession::Use use(session_);
     loadFont(fontPixels(area));
-    // ImGui counts from the top: of the area, if what it draws to ends there.
+    // ImGui counts from the top of the area, if its drawing area ends there.
     const ImVec2 min(static_cast<float>(area.x), 0.0f);
     const ImVec2 max(static_cast<float>(area.x + area.width), static_cast<float>(area.height));
     ImGui::GetIO().DisplaySize = ImVec2(max.x, static_cast<float>(area.y + area.height));

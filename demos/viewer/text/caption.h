@@ -1,4 +1,4 @@
-// Text and legend over a picture.
+// Text and legend of a picture.
 #pragma once
 
 #include "viewer/gl/imgui_session.h"
@@ -7,8 +7,8 @@
 
 namespace drench::viewer {
 
-// Writes lines of text at the top or the bottom left of an area, at most 1/22 of its height each, white with a dark rim,
-// and the legend at the other end, on the right.
+// Draws lines of text at the top or the bottom left of an area, each at most 1/22 of its height, white with a
+// dark outline, and the legend at the opposite end, on the right.
 class Caption {
   public:
     // Needs a current OpenGL context; throws as ImGuiSession does.

@@ -7,7 +7,7 @@ namespace drench::viewer {
 
 namespace {
 
-// The first of these that exists is used; ImGui's own small font stands in where there is none.
+// The first of these files that exists is used, or ImGui's own small font if there is none.
 constexpr std::array<const char*, 7> fontFiles{
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
     "/usr/share/fonts/TTF/DejaVuSans.ttf",

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int parts = 4;
 
-// As many decimals as write the step exactly, or, where that takes more than three, two digits of it.
+// As many decimals as the step needs, or two digits of it if that takes more than three.
 int decimalsFor(float step) {
     float scaled = step;
     for (int decimals = 0; decimals <= 3; ++decimals, scaled *= 10.0f)

@@ -14,7 +14,7 @@ namespace drench {
 
 /// Geometry, water and colours of a sheet. Each array except `triangles` has one entry per node.
 struct ClothFrame {
-    std::string name;
+    std::string name;                           ///< of the sheet; not empty
     std::vector<std::array<int, 3>> triangles;  ///< node indices
     std::vector<Eigen::Vector3f> positions;     ///< m
     std::vector<Eigen::Vector3f>
@@ -25,7 +25,7 @@ struct ClothFrame {
     std::vector<double> filmThicknesses;  ///< of the film on one face, m
     std::vector<double> moistureContents;  ///< kg of water per kg of dry cloth
     std::vector<float> saturations;        ///< pore water over pore capacity, 0 to 1
-    std::vector<float> glosses;            ///< share that is glossy like water, 0 to 1
+    std::vector<float> glosses;            ///< fraction that is glossy like water, 0 to 1
     std::vector<Eigen::Vector3f> colours;  ///< diffuse, linear RGB, 0 to 1
 };
 

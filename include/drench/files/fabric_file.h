@@ -12,7 +12,7 @@ namespace drench {
 
 /// Reads a fabric from JSON text: one object, with the keys
 /// - `name`, a string; default: that of the base fabric, or "fabric";
-/// - `like`, the base fabric for omitted keys, one of `fabrics::names()`; without it all parameters are required, except
+/// - `like`, the base fabric for omitted keys, one of `fabrics::names()`; without it all parameters are required except
 ///   `contactAngle`;
 /// - `construction`: "plain weave", "twill" or "knit"; default: that of the base fabric, or "plain weave";
 /// - each parameter, by its name in `fabricParameters()`: a number in its SI unit, with the provenance "given", or an

@@ -16,12 +16,13 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// Whether Bullet looks for contacts of two soft bodies.
+// Whether Bullet searches for contacts between two soft bodies.
 bool meet(const btSoftBody& body, const btSoftBody& other, int kind) {
     return &body != &other && (body.m_cfg.collisions & other.m_cfg.collisions & kind);
 }
 
-// The mechanics of a sheet that Bullet moves and that the world's filters let meet the body; none for anything else.
+// The mechanics of a sheet that Bullet moves and that the collision filters let collide with the body; null
+// otherwise.
 SheetMechanics* mechanicsOfPartner(btDiscreteDynamicsWorld& world, const btSoftBody& body,
                                    btSoftBody& other) {
     SheetMechanics* const mechanics = BodyWatch::mechanicsOf(other);
@@ -65,7 +66,7 @@ struct ClothContacts::Search final : btDbvt::ICollide {
         const btVector3 motion =
             motion_ - motionOf(0) * weights.x() - motionOf(1) * weights.y() - motionOf(2) * weights.z();
         const btScalar farthest = partner_.margin + std::max(contacts_.reach_, motion.length());
-        // Of a node in the very plane of a face nobody knows which way is out.
+        // For a node exactly in the plane of a face the outward direction is unknown.
         if (!(distance > SIMD_EPSILON && distance < farthest)) return;
         contacts_.near_.push_back(
             {&partner_, &face, weights, nearest.apart / distance, distance - partner_.margin});
@@ -126,8 +127,9 @@ void ClothContacts::findPartners(btDiscreteDynamicsWorld& world, const btSoftBod
 
 void ClothContacts::forgetBulletsContacts(btSoftBody& body) const {
     if (mover_ != Mover::stockSolver) {
-        // The deformable world looks for its own after its solve, and pushes the bodies apart without keeping their
-        // momentum. It finds none of a tree that is nowhere, and fits the tree to the nodes again right after that.
+        // The deformable world detects its own contacts after its solve, and separates the bodies without
+        // conserving their momentum. It finds none in a tree with empty bounds, and refits the tree to the
+        // nodes right after that.
         constexpr auto far = btScalar(1e18);
         if (!meetsOthers_ && body.m_ndbvt.m_root)
             body.m_ndbvt.m_root->volume = btDbvtVolume::FromMM({far, far, far}, {-far, -far, -far});
@@ -153,14 +155,15 @@ void ClothContacts::findFaces(btSoftBody::Node& node) {
         const btDbvt& tree = partner.body->m_fdbvt;
         const auto first = static_cast<std::ptrdiff_t>(near_.size());
         tree.collideTVNoStackAlloc(tree.m_root, search.volume(), stack_, search);
-        // Not in the order of the tree, which depends on what has been where before.
+        // Not in the order of the tree, which depends on earlier positions.
         std::sort(near_.begin() + first, near_.end(),
                   [](const Near& a, const Near& b) { return a.face < b.face; });
     }
     if (near_.size() > 1) keepFacing(node);
 }
 
-// Puts the nearest face first, and leaves of the others those whose nearest point rises above it.
+// Moves the nearest face to the front, and keeps of the others those whose nearest point rises above its
+// plane.
 void ClothContacts::keepFacing(const btSoftBody::Node& node) {
     const auto nearest = std::min_element(near_.begin(), near_.end(),
                                           [](const Near& a, const Near& b) { return a.gap < b.gap; });
@@ -196,7 +199,7 @@ void ClothContacts::solve(btSoftBody::Node& node, const Near& near, bool isNeare
     const auto n = static_cast<std::size_t>(indexOf(*body_, &node));
     const btScalar approach = motion.dot(near.normal), depth = -(std::max(near.gap, btScalar(0)) + approach);
     if (!(std::abs(depth) < std::numeric_limits<btScalar>::max())) return;
-    // To a hair, as the other sheet has its turn too, and may have lifted this one off just now.
+    // Exactly, because the other sheet also resolves the contact, and may already have separated the two.
     const bool touches = near.gap < btScalar(0.02) * near.partner->margin || depth > 0;
     const double adhesion = isNearest ? adhesionOf(n, near) : 0.0;
     const bool adheres =
@@ -207,7 +210,8 @@ void ClothContacts::solve(btSoftBody::Node& node, const Near& near, bool isNeare
     if (touches || adheres) list(node, near);
     if (!(depth > 0 || adheres)) return;
 
-    // How far the bond takes them together within the substep, and how far they go.
+    // Distance by which the adhesive bond pulls node and face together in the substep, and the relative
+    // motion.
     const ContactLaw law = {near.partner->friction * btScalar(sheetFriction_->frictionRatio(n)),
                             btScalar(adhesion) * substep_ * substep_ * response * btScalar(adheres)};
     const btScalar closing = law.push(depth);
@@ -218,7 +222,7 @@ void ClothContacts::solve(btSoftBody::Node& node, const Near& near, bool isNeare
     push(corners, displacement / response);
 }
 
-// For those who look through Bullet's lists; Bullet does nothing about it.
+// For code that reads Bullet's lists; Bullet does not resolve this contact.
 void ClothContacts::list(btSoftBody::Node& node, const Near& near) const {
     if (mover_ == Mover::stockSolver) {
         body_->m_scontacts.push_back(silentContact(node, *near.face, near.weights, near.normal,
@@ -245,7 +249,7 @@ double ClothContacts::adhesionOf(std::size_t node, const Near& near) const {
            sheetFriction_->area(node);
 }
 
-// Takes overlapping sheets apart.
+// Separates overlapping sheets.
 void ClothContacts::lift(const Corner (&corners)[4], const btVector3& displacement) {
     for (const Corner& corner : corners) {
         const btVector3 by = displacement * (corner.weight * corner.inverseMass);
@@ -254,13 +258,13 @@ void ClothContacts::lift(const Corner (&corners)[4], const btVector3& displaceme
     }
 }
 
-// Moves nodes as a force would.
+// Changes positions and velocities as a force would.
 void ClothContacts::push(const Corner (&corners)[4], const btVector3& displacement) const {
     for (const Corner& corner : corners) {
         const btVector3 by = displacement * (corner.weight * corner.inverseMass);
         btSoftBody::Node& node = *corner.node;
         node.m_v += by / substep_;
-        // From which an implicit step starts, and of which Bullet's own solver makes velocities.
+        // The velocity from which an implicit step starts, and from which Bullet computes velocities.
         if (mover_ == Mover::implicitWorld) node.m_vn += by / substep_;
         if (mover_ == Mover::stockSolver) node.m_x += by;
     }

@@ -1,4 +1,4 @@
-// Contacts of sheets with each other where Bullet's own solvers move them.
+// Contacts between sheets that are moved by Bullet's own solvers.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
@@ -13,20 +13,21 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Holds the nodes of a sheet off the faces of other sheets with a WetCloth, with wet friction and cling, once a
-// substep, before Bullet solves anything. Normals are those of the substep's start, so that nodes do not get
-// through a sheet within it. Bullet's own contacts of these nodes with those sheets make way for these. (In the
-// deformable world only where no other soft body has fCollision::VF_DD; else they come on top, with the product of
-// both m_cfg.kDF for friction.) Other soft bodies meet the sheet by Bullet alone. A sheet that sleeps holds others as
-// something fixed. What solids push is felt by the next sheet one substep later.
+// Keeps the nodes of a sheet outside the faces of other sheets that have a WetCloth, with wet friction and
+// adhesion, once per substep, before Bullet solves anything. Normals are those at the start of the substep,
+// so that nodes do not pass through a sheet within it. These contacts replace Bullet's own contacts between
+// those nodes and sheets. (In the deformable world only if no other soft body has fCollision::VF_DD;
+// otherwise Bullet's contacts act in addition, with the product of both m_cfg.kDF as friction.) Contacts with
+// other soft bodies are left to Bullet. A sleeping sheet acts as a fixed obstacle. An impulse from a solid
+// reaches the next sheet one substep later.
 class ClothContacts {
   public:
-    // What moves the sheets.
+    // Resolves the contacts of one sheet.
     enum class Mover { stockSolver, explicitWorld, implicitWorld };
 
     // @param substep  of the body, s
-    // @pre the body is awake and in the world; its nodes are, or have velocities to get, where the substep would end
-    // without contacts
+    // @pre the body is awake and in the world; its nodes have, or will get from their velocities, the
+    //     positions that they would have at the end of the substep without contacts
     void solve(btDiscreteDynamicsWorld& world, btSoftBody& body, Friction& sheetFriction, Mover mover,
                double substep);
 
@@ -36,21 +37,21 @@ class ClothContacts {
         btSoftBody* body;
         const Friction* sheetFriction;
         btScalar margin;                 // of both sheets, m
-        btScalar friction;               // coefficient when dry, 1
-        btVector3 minMotion, maxMotion;  // of any node, m
+        btScalar friction;               // friction coefficient when dry
+        btVector3 minMotion, maxMotion;  // bounds of the motion of its nodes, m
     };
-    // The nearest point of a face.
+    // The nearest point on a face.
     struct Near {
         const Partner* partner;
         btSoftBody::Face* face;
         btVector3 weights;  // of its corners
         btVector3 normal;   // to the node
-        btScalar gap;       // as the substep begins, m
+        btScalar gap;       // at the start of the substep, m
     };
     struct Corner {
         btSoftBody::Node* node;
-        btScalar weight;       // 1, and less than 0
-        btScalar inverseMass;  // 0 for one that rests
+        btScalar weight;       // 1 for the node, negative for the corners of the face
+        btScalar inverseMass;  // 0 if the body sleeps
         bool isAwake;
     };
     struct Search;
@@ -68,16 +69,16 @@ class ClothContacts {
     btVector3 startOf(const btSoftBody::Node& node, bool isAwake) const;
     btVector3 motionOf(const btSoftBody::Node& node, bool isAwake) const;
 
-    // During a solve.
+    // Valid during a solve.
     Mover mover_ = Mover::stockSolver;
     btSoftBody* body_ = nullptr;
     Friction* sheetFriction_ = nullptr;
     btScalar substep_ = 0;  // s
-    btScalar reach_ = 0;    // of bonds, m; 0 where nothing clings
+    btScalar reach_ = 0;    // reach of adhesion, m; 0 without adhesion
     std::vector<Partner> partners_;
-    bool meetsOthers_ = false;                         // soft bodies that are left to Bullet
-    std::vector<Near> near_;                           // to the node of the moment, the nearest first
-    std::vector<const btCollisionObject*> adheresTo_;  // of each node, as they come to be
+    bool meetsOthers_ = false;  // whether there are soft bodies that are left to Bullet
+    std::vector<Near> near_;    // faces near the current node, the nearest first
+    std::vector<const btCollisionObject*> adheresTo_;  // adhesive bonds of each node as they are formed
     btNodeStack stack_;
     FaceProjection projection_;
 };

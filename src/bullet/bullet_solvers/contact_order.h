@@ -1,4 +1,4 @@
-// The contacts that Bullet has found of a soft body: all of them, and in an order that the same sheet has everywhere.
+// Enumerates the contacts that Bullet has found for a soft body, and sorts them in a reproducible order.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
@@ -15,32 +15,32 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Calls `use(node, contact)` for each contact of a node with something solid, `contact` a btSoftBody::sCti.
+// Calls `use(node, contact)` for each contact of a node with a rigid object; `contact` is a btSoftBody::sCti.
 template <typename Use>
 void forEachSolidContact(const btSoftBody& body, Use use) {
     for (int i = 0; i < body.m_rcontacts.size(); ++i)
         use(body.m_rcontacts[i].m_node, body.m_rcontacts[i].m_cti);
-    for (int i = 0; i < body.m_nodeRigidContacts.size(); ++i)  // of the deformable world
+    for (int i = 0; i < body.m_nodeRigidContacts.size(); ++i)  // in the deformable world
         use(body.m_nodeRigidContacts[i].m_node, body.m_nodeRigidContacts[i].m_cti);
 }
 
-// Calls `use(node, face, weights)` for each contact of a node of the body with a face of another, or of its
-// own, at the given weights of the face's corners.
+// Calls `use(node, face, weights)` for each contact of a node of the body with a face of another body or of
+// its own, with the given weights of the corners of the face.
 template <typename Use>
 void forEachSoftContact(const btSoftBody& body, Use use) {
     for (int i = 0; i < body.m_scontacts.size(); ++i)
         use(body.m_scontacts[i].m_node, body.m_scontacts[i].m_face, body.m_scontacts[i].m_weights);
-    for (int i = 0; i < body.m_faceNodeContacts.size(); ++i)  // of the deformable world
+    for (int i = 0; i < body.m_faceNodeContacts.size(); ++i)  // in the deformable world
         use(body.m_faceNodeContacts[i].m_node, body.m_faceNodeContacts[i].m_face,
             body.m_faceNodeContacts[i].m_bary);
 }
 
-// Bullet finds contacts in the order of its trees and of its list of pairs, which depends on what has been where before,
-// and on addresses in memory. As contacts are solved one after the other, the order is part of the result; here it
-// is that of the nodes or faces, and for one of these that of the solids in the world.
+// Bullet finds contacts in the order of its trees and of its list of pairs, which depends on earlier
+// positions and on addresses in memory. Contacts are solved one after the other, so their order affects the
+// result. Here they are sorted by node or face, and then by the index of the solid in the world.
 class ContactOrder {
   public:
-    // @param ownerOf  of a contact: the node or face that it is of, in the array of its body
+    // @param ownerOf  returns the node or face of a contact, as an index into the arrays of its body
     template <typename Contact, typename OwnerOf>
     void sort(btAlignedObjectArray<Contact>& contacts, OwnerOf ownerOf) {
         keys_.clear();
@@ -52,9 +52,9 @@ class ContactOrder {
     }
 
   private:
-    using Key = std::tuple<const void*, int, int>;  // owner, solid, and where it is: so no two are alike
+    using Key = std::tuple<const void*, int, int>;  // owner, solid and position: unique
 
-    // Contacts are large, so each is moved once: along the ring of places that begins at one.
+    // Contacts are large, so each is moved only once, along the cycles of the permutation.
     template <typename Contact>
     void place(btAlignedObjectArray<Contact>& contacts, int start) {
         const auto sourceOf = [&](int at) -> int& {

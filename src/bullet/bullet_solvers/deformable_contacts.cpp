@@ -11,17 +11,17 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// A solid that gives way when it is pushed; none for one that does not.
+// A solid that can be moved by an impulse; null for one that cannot.
 btRigidBody* pushable(const btCollisionObject& object) {
     const btRigidBody* const body = movingBody(object);
     return body && !body->isStaticOrKinematicObject() ? const_cast<btRigidBody*>(body) : nullptr;
 }
 
-// An impulse between a node and a solid at the node's place.
+// An impulse between a node and a solid at the position of the node.
 void exchange(btSoftBody::Node& node, const btCollisionObject& solid, const btVector3& impulse,
               bool implicit) {
     node.m_v += impulse * node.m_im;
-    // From which an implicit step starts.
+    // The velocity from which an implicit step starts.
     if (implicit) node.m_vn += impulse * node.m_im;
     btRigidBody* const body = pushable(solid);
     if (!body) return;
@@ -61,7 +61,7 @@ void DeformableContacts::rewrite(btSoftBody::DeformableNodeRigidContact& contact
     if (contact.m_cti.m_offset > approach * now.time) return;
     adheresTo_[n] = &object;
     if (!now.implicit) return exchange(node, object, normal * (-btScalar(adhesion) * now.time), now.implicit);
-    // Bullet's implicit contacts push back by more than the node's mass.
+    // Bullet's implicit contacts respond with more than the mass of the node.
     constexpr double max = 30;
     const double pull = adhesion * double(now.time) * double(node.m_im);
     contact.m_c3 = btScalar(friction * (approach > 0 ? std::min(1 + pull / double(approach), max) : max));
@@ -102,7 +102,8 @@ void DeformableContacts::hold(std::size_t n, const btCollisionObject* solid, con
     const btVector3 along = alongSurface(slip, surface.normal);
     const btScalar speed = along.length();
     btVector3 impulse = surface.normal * push;
-    // An implicit contact, which knows what else holds the node, has friction; a guess by its mass shakes it.
+    // An implicit contact, which accounts for everything that holds the node, has friction; an estimate from
+    // the mass of the node alone makes it jitter.
     if (speed > 0 && !now.implicit)
         impulse -= drag(along, speed, speed / responseAlong(along / speed), law.maxFriction(push));
     exchange(node, *solid, impulse, now.implicit);

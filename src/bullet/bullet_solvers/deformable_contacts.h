@@ -1,4 +1,4 @@
-// Wet friction and cling of sheets in Bullet's deformable world.
+// Wet friction and adhesion of sheets in Bullet's deformable world.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
@@ -14,15 +14,15 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Gives the contacts that Bullet has found, before it solves them, the friction coefficient of each node, as
-// Bullet's friction is Coulomb's there. A bond pulls its node to the surface by what it has: where the node
-// touches, the contact pushes back, with more friction; where it does not, no farther than to the surface.
-// In implicit steps bonds away from the surface have no friction. With triangle meshes there is no bond outside of
-// contact, with links of a btMultiBody none at all.
+// Gives the contacts that Bullet has found the friction coefficient of each node, before Bullet solves them,
+// because Bullet's friction is Coulomb's there. Adhesion pulls a node to the surface. If the node touches,
+// the contact responds with a larger normal force and so with more friction; if not, the node is pulled no
+// farther than to the surface. In implicit steps adhesion at a distance from the surface has no friction. On
+// triangle meshes adhesion acts only in contact; on links of a btMultiBody there is none.
 class DeformableContacts {
   public:
-    // @param implicit  whether the world is
-    // @pre the body is in the world; velocities are those that the substep would end with without contacts
+    // @param implicit  whether the world integrates implicitly
+    // @pre the body is in the world; velocities are those at the end of the substep without contacts
     void rewrite(const btCollisionWorld& world, btSoftBody& body, Friction& sheetFriction, btScalar substep,
                  bool implicit);
 
@@ -40,7 +40,7 @@ class DeformableContacts {
 
     ContactOrder order_;
     MetSolids met_;
-    std::vector<const btCollisionObject*> adheresTo_;  // of each node, as they come to be
+    std::vector<const btCollisionObject*> adheresTo_;  // adhesive bonds of each node as they are formed
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

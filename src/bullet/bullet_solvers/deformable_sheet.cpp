@@ -19,14 +19,14 @@ namespace {
 using Collision = btSoftBody::fCollision;
 constexpr int deformableCollisions = Collision::SDF_RD | Collision::SDF_RDN;
 
-// A little less than 2 over the largest frequency, where an explicit step begins to swing up.
+// Slightly below 2 over the largest angular frequency, where explicit steps become unstable.
 double explicitStepBound(double largestSquaredFrequency) {
     constexpr double safety = 0.9;
     return largestSquaredFrequency > 0 ? safety * 2 / std::sqrt(largestSquaredFrequency)
                                        : std::numeric_limits<double>::infinity();
 }
 
-// Anchors keep the inverse mass that their node had when they were made. Those to a multibody refresh all
+// Anchors keep the inverse mass that their node had when they were made. Anchors to a multibody update all
 // but one of these values themselves.
 void refreshAnchors(btSoftBody& body) {
     for (int i = 0; i < body.m_deformableAnchors.size(); ++i) {
@@ -40,10 +40,10 @@ void refreshAnchors(btSoftBody& body) {
     }
 }
 
-// A world destroyed before its sheet leaves the sheet's force in a list that another world may yet step
-// through, if it gets the same solver; so such forces stay, doing nothing.
+// If a world is destroyed before its sheet, the force of the sheet stays in the list of a solver that another
+// world may use later. So such forces are kept, and do nothing.
 void keepForGood(std::unique_ptr<WetSpringForce> force) {
-    static std::mutex mutex;  // worlds may end in different threads
+    static std::mutex mutex;  // worlds may be destroyed in different threads
     static auto& kept = *new std::vector<std::unique_ptr<WetSpringForce>>;
     const std::lock_guard<std::mutex> lock(mutex);
     kept.push_back(std::move(force));
@@ -100,13 +100,14 @@ void DeformableSheet::write(btSoftBody& body) {
     force_->join(*solver.getLagrangianForceArray(), *solver.getIndices(), body);
     force_->update();
     refreshAnchors(body);
-    // The flag of new bodies, with which they would meet nothing here and gather stale contacts.
+    // The default flag of new bodies, with which they would have no contacts here and accumulate outdated
+    // ones.
     if ((body.m_cfg.collisions & Collision::RVSmask) == Collision::SDF_RS) {
         body.m_cfg.collisions = (body.m_cfg.collisions & ~Collision::SDF_RS) | deformableCollisions;
         collisionsReplaced_ = true;
     }
-    // An implicit step starts from the velocity at the end of the last one, and would lose what has been
-    // added since: momentum of water, wind.
+    // An implicit step starts from the velocity at the end of the previous one, and would lose what has been
+    // added since: the momentum of water and wind.
     for (int n = 0; n < body.m_nodes.size(); ++n) body.m_nodes[n].m_vn = body.m_nodes[n].m_v;
 }
 
@@ -119,8 +120,8 @@ void DeformableSheet::restore(btSoftBody& body) {
 
 void DeformableSheet::end(const btSoftBody* body) {
     if (!force_->hasJoined()) return;
-    // A body that is taken out of its world takes the force with it. So either the body is still in, or the
-    // world is gone, with which Bullet takes the body's broadphase handle.
+    // Removing a body from its world also removes the force. So either the body is still in the world, or the
+    // world was destroyed, and Bullet has then reset the body's broadphase handle.
     if (body && body->getBroadphaseHandle()) {
         force_->leave();
         return;

@@ -1,5 +1,4 @@
-// What a layer does for a sheet in Bullet's deformable world, where link constants and nodal forces count for
-// nothing.
+// Handles a sheet in Bullet's deformable world, where link constants and nodal forces have no effect.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
@@ -18,32 +17,32 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class DeformableSheet {
   public:
-    // @param mechanics  in the layer's order of links; outlives this
-    // @param dryMasses  of the nodes, kg; of a node without cloth it is that of the body
-    // @param stiffestStretch, stiffestBending  the largest that water makes of 1
+    // @param mechanics  with links in the layer's order; must outlive this
+    // @param dryMasses  of the nodes, kg; for a node without cloth that of the body
+    // @param stiffestStretch, stiffestBending  largest factor by which water increases the stiffness, at
+    //     least 1
     DeformableSheet(const btDiscreteDynamicsWorld& world, const btSoftBody& body,
                     const SheetMechanics& mechanics, std::vector<double> dryMasses, double stiffestStretch,
                     double stiffestBending);
 
-    // Becomes that of the same cloth, cut. @pre the body is in the world. Otherwise as in the constructor.
+    // Adapts to the cloth after a cut. @pre the body is in the world. Otherwise as the constructor.
     void recut(const btDiscreteDynamicsWorld& world, const btSoftBody& body, const SheetMechanics& mechanics,
                std::vector<double> dryMasses, double stiffestStretch, double stiffestBending);
 
-    // Longest substep that the explicit world holds out, wet or dry, s; in the implicit world, as of the last
-    // substep, infinite.
+    // Longest stable substep in the explicit world, wet or dry, s; infinite if the last substep was implicit.
     double stepBound() const;
 
-    // @throws std::runtime_error for a substep beyond the bound, or a world that is implicit without projection
+    // @throws std::runtime_error for a substep above the bound, or an implicit world without projection
     void check(const btDiscreteDynamicsWorld& world, double dt);
 
-    // Makes the body ready for the step to come: the force in the solver's list, stiffness, anchors and
-    // collision flags as they should be. @pre the body is in the world and has its masses
+    // Prepares the body for the next step: the force in the solver's list, stiffness, anchors and collision
+    // flags. @pre the body is in the world and has its masses
     void write(btSoftBody& body);
 
-    // Ends all that. @pre the body exists and has its own masses again
+    // Undoes that. @pre the body exists and has its own masses again
     void restore(btSoftBody& body);
 
-    // The end of one whose world may be gone. @param body  none if it is gone as well
+    // Detaches when the world may have been destroyed. @param body  null if it was destroyed, too
     void end(const btSoftBody* body);
 
   private:

@@ -7,15 +7,15 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 double linkConstant(double inverseMass, double stiffness, double dt, int sweeps) {
-    const double stiff = inverseMass * stiffness * dt * dt;  // stiffness beside inertia
+    const double stiff = inverseMass * stiffness * dt * dt;  // stiffness relative to inertia
     if (sweeps <= 1) return inverseMass * std::max(1.0, 0.5 + 1 / stiff);
     return -inverseMass / std::expm1(-std::log1p(stiff) / sweeps);
 }
 
 void writeLinkConstants(btSoftBody& body, const SheetMechanics& mechanics, double dt) {
-    // Between two pins nothing moves. Bullet divides by the constant all the same, so it must not be 0.
+    // Nothing moves between two pins. Bullet divides by the constant nevertheless, so it must not be 0.
     constexpr btScalar betweenPins = 1;
-    // Single precision holds a link so soft that it does nothing, and no softer.
+    // The softest link that single precision can represent; it has practically no effect.
     constexpr double softest = 1e30;
     for (int i = 0; i < body.m_links.size(); ++i) {
         btSoftBody::Link& link = body.m_links[i];

@@ -16,7 +16,7 @@ SurfacePoint nearestPart(const btCollisionShape& shape, const btTransform& trans
     SurfacePoint nearest = {std::numeric_limits<btScalar>::infinity(), {0, 0, 0}};
     if (shape.isConvex()) {
         const btVector3 position = transform.invXform(point);
-        // Bullet counts voxels with whole numbers, and does not look whether they suffice.
+        // Bullet counts voxels with int, without a check for overflow.
         constexpr btScalar maxVoxels = btScalar(1e8);
         if (!(position.length() < maxVoxels * field.voxelsz)) return nearest;
         SurfacePoint found;

@@ -1,4 +1,4 @@
-// The solids that a sheet meets where Bullet solves its contacts, looked up once a substep each.
+// The solids that a sheet touches when Bullet solves its contacts, each looked up once per substep.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
@@ -17,12 +17,13 @@ class MetSolids {
   public:
     struct Met {
         const btCollisionObject* object;
-        bool exists;      // and has contacts; else the object is not to be touched
-        Surface surface;  // to the sheet
+        bool exists;      // in the world with contact response; otherwise it must not be accessed
+        Surface surface;  // towards the sheet
     };
 
     void begin(const btCollisionWorld& world, const btSoftBody& body, const Friction& sheetFriction);
-    // @param object  by its address; it may be gone. The answer is good until the next is asked for
+    // @param object  only its address is used; it may have been destroyed. The result is valid until the next
+    //     call
     const Met& at(const btCollisionObject* object);
 
   private:
@@ -33,11 +34,11 @@ class MetSolids {
     std::size_t last_ = 0;
 };
 
-// The nearest surface of a solid that is convex or made of convex parts, by the distance field in which Bullet
-// finds contacts; infinitely far for others.
+// The nearest surface of a solid that is convex or consists of convex parts, from the distance field in which
+// Bullet finds contacts; infinitely far for other shapes.
 SurfacePoint nearestSurfaceOf(const btCollisionObject& solid, const btVector3& point, btSparseSdf<3>& field);
 
-// Velocity of a solid at a place in the world, m/s.
+// Velocity of a solid at a position in the world, m/s.
 btVector3 velocityAt(const btCollisionObject& solid, const btVector3& point);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

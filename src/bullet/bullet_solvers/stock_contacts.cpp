@@ -11,19 +11,20 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// Moves a node as a force would, for Bullet to make velocities of it: from places, or before that.
+// Moves a node as a force would, so that Bullet derives a velocity from the new position, or before Bullet
+// does so.
 void displace(btSoftBody::Node& node, const btVector3& by, btScalar substep) {
     node.m_x += by;
     node.m_v += by / substep;
 }
 
-// Moves it without a velocity.
+// Moves a node without changing its velocity.
 void lift(btSoftBody::Node& node, const btVector3& by) {
     node.m_x += by;
     node.m_q += by;
 }
 
-// Has Bullet do nothing about a contact.
+// Makes Bullet ignore a contact.
 void silence(btSoftBody::RContact& contact) {
     contact.m_c0 = btMatrix3x3(0, 0, 0, 0, 0, 0, 0, 0, 0);
     contact.m_c2 = 0;
@@ -64,13 +65,13 @@ void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, con
         rigid ? rigid->getVelocityInLocalPoint(contact.m_c1) * body.m_sst.sdt : btVector3(0, 0, 0);
     const btVector3 motion = node.m_x - node.m_q - ofSolid;
 
-    // Bullet has looked where the solid was as the substep began. Its own idea of the surface counts, however
-    // coarse: lifted to another, nodes would drop back to where it finds them.
+    // Bullet has searched at the position of the solid at the start of the substep. Its distance field must
+    // be used, even if it is coarse: nodes lifted to another surface would fall back to Bullet's.
     SurfacePoint surface;
     surface.normal = contact.m_cti.m_normal;
     surface.distance = surface.normal.dot(node.m_x - ofSolid) + contact.m_cti.m_offset + margin;
     const btScalar approach = motion.dot(surface.normal), start = surface.distance - margin - approach;
-    // A node that was inside before, and stays, comes out by a margin at once.
+    // A node that was inside before and stays inside is moved out by at most the margin plus its own motion.
     const btScalar lifted = std::clamp(-start, btScalar(0), margin + motion.length());
     lift(node, surface.normal * lifted);
     surface.distance += lifted;
@@ -87,7 +88,7 @@ void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, con
          sheetFriction.friction(met.surface, index)});
 }
 
-// What faces a node by several parts, as a floor of boxes or triangles does, presses and clings once.
+// Parts of one surface that face a node, such as the boxes or triangles of a floor, act as a single contact.
 void StockContacts::add(const Held& held) {
     int& at = heldAt_[static_cast<std::size_t>(held.node)];
     if (at >= 0) {
@@ -134,14 +135,14 @@ void StockContacts::hold(btSoftBody& body, const Held& held, btScalar reach) {
     }
 
     const btVector3 slip = alongSurface(node.m_x - node.m_q - solid.step(arm), normal);
-    // A solid that may turn gives way to what drags it along its surface more than to what presses on it.
+    // A solid that can rotate yields more to a tangential force than to a normal one.
     const btScalar length = slip.length(),
                    compliance = length > 0 ? node.m_im + solid.response(arm, slip / length) : response,
                    stopping = length / compliance, maxFriction = law.maxFriction(push);
     const bool sticks = stopping <= maxFriction;
     btVector3 total(0, 0, 0);
     if (length > 0) total = -drag(slip, length, stopping, maxFriction);
-    if (!held.isInContact) total += normal * push;  // else Bullet does that
+    if (!held.isInContact) total += normal * push;  // otherwise Bullet does that
     displace(node, total * node.m_im, substep);
     solid.push(arm, -total);
     if (sticks) stick(body, held);
@@ -154,7 +155,8 @@ void StockContacts::stick(btSoftBody& body, const Held& held) {
     const btCollisionObject* const object = &solids_[held.solid].object();
     if (stuckBefore_[n].object == object) {
         const btVector3 back = transform * stuckBefore_[n].position - node.m_x;
-        // Someone has put the sheet or the solid elsewhere if it is farther than links could have pulled it.
+        // The application has moved the sheet or the solid if the distance is larger than links could have
+        // caused.
         const btScalar max = body.getCollisionShape()->getMargin() + (node.m_x - node.m_q).length();
         if (back.length() <= max) lift(node, alongSurface(back, held.surface.normal));
     }

@@ -1,4 +1,4 @@
-// Wet friction and cling of sheets that Bullet's own solver moves in a soft-rigid world.
+// Wet friction and adhesion of sheets that Bullet's stock solver moves in a soft-rigid world.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
@@ -17,14 +17,14 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-// Rewrites the contacts that Bullet has found, before it solves them, so that each stops its node on the way
-// to the solid and nothing else. Friction and the pull of bonds are done here, at once. As Bullet solves links
-// after contacts, they pull nodes into solids and along them; here those are lifted out again, and those that
-// friction holds put back, without a velocity. Contacts with links of a btMultiBody stay Bullet's; with
-// triangle meshes there is friction, but no bond outside of contact.
+// Rewrites the contacts that Bullet has found, before it solves them, so that each only stops the motion of
+// its node into the solid. Friction and adhesion are applied here, immediately. Because Bullet solves links
+// after contacts, links pull nodes into solids and along them; here those nodes are moved out again, and
+// nodes that static friction holds are moved back, without a velocity. Contacts with links of a btMultiBody
+// stay Bullet's; on triangle meshes there is friction, but adhesion only in contact.
 class StockContacts {
   public:
-    // @pre the body is in the world, and its solids are where they are as the substep ends
+    // @pre the body is in the world, and its solids are at their positions at the end of the substep
     void rewrite(const btCollisionWorld& world, btSoftBody& body, Friction& sheetFriction);
 
   private:
@@ -36,31 +36,31 @@ class StockContacts {
         int node;
         std::size_t solid;  // index
         SurfacePoint surface;
-        btScalar approach;  // that the contact stops, m; 0 for a node that has a bond only
+        btScalar approach;  // normal motion that the contact stops, m; 0 if the node only adheres
         bool isInContact;
         double adhesion;  // N
-        double friction;  // coefficient, 1
+        double friction;  // friction coefficient
     };
-    // Where friction has held a node.
+    // The position at which static friction holds a node.
     struct Stuck {
         const btCollisionObject* object = nullptr;
-        btVector3 position = btVector3(0, 0, 0);  // as the object sees it
+        btVector3 position = btVector3(0, 0, 0);  // in the coordinates of the object
     };
 
     void rewrite(btSoftBody::RContact& contact, btSoftBody& body, const Friction& sheetFriction);
     void add(const Held& held);
     void findAdhering(btSoftBody& body, const Friction& sheetFriction);
     void hold(btSoftBody& body, const Held& held, btScalar reach);
-    // Puts a node that friction holds back along the surface to where it has held it before.
+    // Moves a node that static friction holds back along the surface to its anchor point.
     void stick(btSoftBody& body, const Held& held);
 
     ContactOrder order_;
     MetSolids met_;
     Solids solids_;
     std::vector<Held> held_;
-    // Of each node.
-    std::vector<int> heldAt_;                          // the last in held_; -1 for none
-    std::vector<const btCollisionObject*> adheresTo_;  // as they come to be
+    // For each node.
+    std::vector<int> heldAt_;                          // its last entry in held_; -1 if there is none
+    std::vector<const btCollisionObject*> adheresTo_;  // adhesive bonds as they are formed
     std::vector<Stuck> stuck_, stuckBefore_;
 };
 

@@ -61,13 +61,13 @@ void WetSpringForce::release() {
     m_softBodies.clear();
 }
 
-// Bullet calls this at the start of each step, and when a body is removed, while it goes through its list.
+// Bullet calls this at the start of each step, and when a body is removed, while it iterates over its list.
 void WetSpringForce::reinitialize(bool nodeUpdated) {
     if (m_softBodies.size() > 0 || !list_) return;
     List& list = *list_;
     const int here = list.findLinearSearch(this);
     leave();
-    // Bullet has filled our place with the last of the list, and goes on with the next place.
+    // Bullet has moved the last element of the list to this index, and continues with the next index.
     if (here < list.size()) list[here]->reinitialize(nodeUpdated);
 }
 
@@ -82,7 +82,7 @@ void WetSpringForce::update() {
 
 double WetSpringForce::largestSquaredFrequency(const std::vector<double>& masses, double stretchRatio,
                                                double bendingRatio) const {
-    std::vector<double> rowSums(masses.size(), 0.0);  // N/m, of the absolute entries
+    std::vector<double> rowSums(masses.size(), 0.0);  // sums of the absolute entries, N/m
     for (const Spring& spring : springs_)
         for (const int node : spring.nodes)
             rowSums[static_cast<std::size_t>(node)] +=
@@ -102,8 +102,9 @@ double WetSpringForce::largestSquaredFrequency(const std::vector<double>& masses
 }
 
 btDeformableLagrangianForceType WetSpringForce::getForceType() {
-    // None of Bullet's, so that its addForce takes no other force for one of these. The enum has no fixed
-    // underlying type and its enumerators end at 6, so values beyond 7 would be undefined behaviour.
+    // None of Bullet's types, so that its addForce does not take another force for one of this type. The enum
+    // has no fixed underlying type and its enumerators end at 6, so values beyond 7 would be undefined
+    // behaviour.
     return static_cast<btDeformableLagrangianForceType>(7);
 }
 
@@ -112,8 +113,8 @@ bool WetSpringForce::pulls() const {
            m_softBodies[0]->m_nodes.size() == static_cast<int>(positions_.size());
 }
 
-// Reads where the nodes are, or where Bullet predicts them to be, and sets each spring's tension and
-// stiffness there.
+// Reads the present or predicted positions of the nodes, and computes the tension and stiffness of each
+// spring there.
 void WetSpringForce::gather(bool predicted) {
     const btSoftBody& body = *m_softBodies[0];
     first_ = body.m_nodes[0].index;
@@ -163,7 +164,7 @@ void WetSpringForce::addScaledExplicitForce(btScalar scale, TVStack& force) {
     addForces(scale, force);
 }
 
-// Where the forces were last added, which Bullet does right before it solves.
+// The positions at which forces were last added, which Bullet does immediately before it solves.
 void WetSpringForce::addScaledElasticForceDifferential(btScalar scale, const TVStack& dx, TVStack& df) {
     if (!pulls()) return;
     for (const Spring& spring : springs_) {
@@ -180,8 +181,8 @@ void WetSpringForce::addScaledElasticForceDifferential(btScalar scale, const TVS
         scale, [this, &dx](int node) -> const btVector3& { return dx[first_ + node]; }, df);
 }
 
-// What a node on its own has of stiffness beside its mass. Bullet divides by the two together where it
-// predicts and stops a node that touches something; by the mass alone, implicit contacts blow up.
+// Diagonal stiffness of a node in addition to its mass. Bullet divides by the sum of both when it predicts
+// and stops a node in contact; with the mass alone, implicit contacts are unstable.
 void WetSpringForce::addScaledHessian(btScalar scale) {
     if (!pulls()) return;
     btSoftBody& body = *m_softBodies[0];

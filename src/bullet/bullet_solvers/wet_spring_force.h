@@ -1,4 +1,4 @@
-// The springs and plates of one sheet, as a force of Bullet's deformable world.
+// The springs and bending plates of one sheet, as a force of Bullet's deformable world.
 #pragma once
 
 #include <BulletSoftBody/btDeformableLagrangianForce.h>
@@ -13,13 +13,14 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Stretch and shear along the links, k (length - rest) each, and bending as the plates of plate_bending.h.
-// The body's bending links are left out, as a spring across two cells is no bending at small angles.
+// Stretch and shear along the links, k (length - rest length) each, and bending by the plates of
+// plate_bending.h. The bending links of the body are not used, because a spring across two cells has no
+// stiffness at small angles.
 //
-// The differential, which the implicit solver wants positive, leaves out what a shortened spring would do
-// across itself (it buckles); that of the plates is constant and never negative.
+// The differential must be positive for the implicit solver. So it omits the negative transverse stiffness of
+// compressed springs (which buckle); that of the plates is constant and never negative.
 //
-// Joins the solver's list of forces itself rather than through the world's addForce, which would hand the
+// Adds itself to the solver's list of forces instead of using the world's addForce, which would assign the
 // body of a second force of the same type to the first one. It leaves the list as soon as its body has left
 // the world.
 class WetSpringForce final : public btDeformableLagrangianForce {
@@ -32,19 +33,20 @@ class WetSpringForce final : public btDeformableLagrangianForce {
     WetSpringForce(const WetSpringForce&) = delete;
     WetSpringForce& operator=(const WetSpringForce&) = delete;
 
-    // Takes part in the steps of the solver whose list this is, on `body`. May be called again at any time.
+    // Takes part in the steps of the solver that owns this list, acting on `body`. May be called again at any
+    // time.
     void join(List& list, const btAlignedObjectArray<btSoftBody::Node*>& nodes, btSoftBody& body);
     bool hasJoined() const { return list_ != nullptr; }
-    // Ends that. @pre the solver exists
+    // Stops taking part. @pre the solver exists
     void leave();
-    // From now on pulls at nothing; if it is still in a list, it leaves at the solver's next step.
+    // Has no effect from now on; if it is still in a list, it leaves it at the next step of that solver.
     void release();
 
-    // Reads stiffness off the mechanics, as of this substep.
+    // Reads the stiffness of this substep from the mechanics.
     void update();
 
-    // Upper bound of the square of the sheet's angular frequencies, 1/s2, in any pose and without pins, for
-    // stiffness that is `stretchRatio` and `bendingRatio` times that of the dry cloth (Gershgorin).
+    // Upper bound of the squared angular frequencies of the sheet, 1/s2, in any pose and without pins, for a
+    // stiffness of `stretchRatio` and `bendingRatio` times that of the dry cloth (Gershgorin).
     // @param masses  of its nodes, kg
     double largestSquaredFrequency(const std::vector<double>& masses, double stretchRatio,
                                    double bendingRatio) const;
@@ -68,19 +70,19 @@ class WetSpringForce final : public btDeformableLagrangianForce {
         std::size_t link;
         btScalar restLength;
         btScalar stiffness = 0;                    // N/m
-        btVector3 direction = btVector3(0, 0, 0);  // as last gathered
+        btVector3 direction = btVector3(0, 0, 0);  // at the last gather
         btScalar tension = 0;                      // N
         btScalar acrossStiffness = 0;              // N/m, never negative
     };
     struct Plate {
-        int count = 0;  // of its nodes
+        int count = 0;  // number of its nodes
         std::array<int, 6> nodes;
         std::array<std::array<btScalar, 6>, 3> weights;
         std::array<std::size_t, 3> corners;
         double dryStiffness;     // B area, N m3
         btScalar stiffness = 0;  // N m3
 
-        // Sum over its nodes, relative to the first: the weights of a curvature add up to nothing.
+        // Weighted sum of node positions relative to the first node: the weights of a curvature add up to 0.
         template <typename Position>
         btVector3 curvature(std::size_t which, const Position& position) const;
     };
@@ -94,8 +96,8 @@ class WetSpringForce final : public btDeformableLagrangianForce {
     const SheetMechanics& mechanics_;
     std::vector<Spring> springs_;
     std::vector<Plate> plates_;
-    std::vector<btVector3> positions_;  // as last gathered
-    List* list_ = nullptr;              // that this is in; none once its body has left the world
+    std::vector<btVector3> positions_;  // at the last gather
+    List* list_ = nullptr;              // the list that contains this; null once the body has left the world
     int first_ = 0;                     // index of the body's first node among all of the world's
 };
 

@@ -1,4 +1,4 @@
-// The law of every contact of wet cloth: faces do not pass each other, with Coulomb friction and adhesion.
+// Contact law of wet cloth: no penetration, Coulomb friction and adhesion.
 #pragma once
 
 #include <LinearMath/btVector3.h>
@@ -12,57 +12,57 @@ class btSoftBody;
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Makes a friction coefficient usable that an application has given to Bullet: negative or NaN friction counts as 0,
-// and anything above 1000 as 1000, which holds whatever presses.
+// Limits a friction coefficient that an application has given to Bullet: negative or NaN counts as 0, above
+// 1000 as 1000.
 double usableFriction(double coefficient);
 
-// Friction coefficient between the cloths of two bodies when dry: the larger of their m_cfg.kDF, made usable.
+// Dry friction coefficient between two cloths: the larger of the two m_cfg.kDF, limited by usableFriction.
 btScalar dryFriction(const btSoftBody& one, const btSoftBody& other);
 
-// Traction of the bond between two cloths, N/m2, from what each has: both have to be wet, and as the nodes of either
-// hold the other, they hold one half.
+// Adhesive force per area between two cloths, N/m2, from the values of both. Both must be wet. Each contact
+// is found from both sides, so each side holds half of the smaller value.
 inline double adhesionTractionBetween(double one, double other) {
     return 0.5 * std::min(one, other);
 }
 
-// Whether a node is bonded. A bond forms where faces touch, and breaks where they are farther apart than it reaches.
-// @param adhesion  force of the bond, in any unit; 0 for none
-// @param isJoined  whether the faces touch, or were bonded before
-// @param gap       between the faces, m, negative inside
+// Whether adhesion holds a node. An adhesive bond forms where faces touch, and breaks when their gap exceeds
+// its reach.
+// @param adhesion  adhesive force, in any unit; 0 for none
+// @param isJoined  whether the faces touch, or adhered before
+// @param gap       between the faces, m; negative inside
 inline bool adhesionHolds(double adhesion, bool isJoined, double gap, double reach) {
     return adhesion > 0 && isJoined && gap < reach;
 }
 
-// One contact in one step. Pushes and adhesion are of the same unit, whatever is proportional to a force: impulses, or
-// how far they take a node.
+// One contact in one step. Push and adhesion have the same unit, which may be anything proportional to a
+// force, such as an impulse or the displacement that it causes.
 struct ContactLaw {
-    btScalar friction;  // Coulomb's coefficient
-    btScalar adhesion;  // the largest pull that the bond holds; 0 without one
+    btScalar friction;  // Coulomb friction coefficient
+    btScalar adhesion;  // largest adhesive pull; 0 without adhesion
 
-    // What holds the faces apart, or, below 0, together: all that is needed to close the gap, but no pull beyond
+    // Normal force between the faces, negative for a pull: what is needed to close the gap, but no pull above
     // the adhesion.
     btScalar push(btScalar needed) const { return std::max(needed, -adhesion); }
-    // The largest friction. What presses the faces together is what holds them apart: the push, and that against the
-    // bond.
+    // Largest friction. The faces are pressed together by the push and by the adhesion.
     btScalar maxFriction(btScalar push) const { return friction * (push + adhesion); }
 };
 
-// The part of a vector that is along a surface.
+// Component of a vector along a surface.
 inline btVector3 alongSurface(const btVector3& vector, const btVector3& normal) {
     return vector - normal * vector.dot(normal);
 }
 
-// Friction, along the slip that it opposes, so to be subtracted; never more than stops the slip.
+// Friction along the slip, to be subtracted from the motion; at most the value that stops the slip.
 // @param slip      along the surface
 // @param length    of the slip, above 0
-// @param stopping  friction that would just stop it
+// @param stopping  friction that would just stop the slip
 inline btVector3 drag(const btVector3& slip, btScalar length, btScalar stopping, btScalar maxFriction) {
     return slip * (std::min(maxFriction, stopping) / length);
 }
 
-// How far cloths that overlap are taken apart at once, m, without a velocity: all at once would take cloth through
-// cloth elsewhere.
-// @param margin  of both together, m
+// Distance by which overlapping cloths are separated in one step, m, without adding velocity. Separating them
+// completely could push cloth through other cloth.
+// @param margin  sum of both margins, m
 template <typename Scalar>
 Scalar liftAtOnce(Scalar depth, Scalar margin) {
     constexpr auto fraction = Scalar(0.1);

@@ -11,7 +11,8 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// A bond is no shorter than the water between two faces is thick, and no longer than looks like touching.
+// Limits of the reach of adhesion: the thickness of the water between two faces, and the largest distance
+// that looks like contact (assumed).
 constexpr double shortestReach = 1e-3, longestReach = 1e-2;  // m
 
 double nodeDistance(const ClothMesh& mesh) {

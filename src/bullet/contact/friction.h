@@ -1,4 +1,4 @@
-// How a sheet holds on to what it touches: friction and cling of each node, by its water and the surface.
+// Friction and adhesion of each node of a sheet, from its water and from the surface that it touches.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
@@ -19,59 +19,62 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-// Cling is cohesion: where wet cloth has touched a surface it stays bonded to it. A bond pulls its node back
-// with a force of up to energy / reach x area, as far as `reach`, where it breaks. So to peel takes the
-// energy, whatever the reach is. The reach is the distance of neighbouring nodes: rows of nodes then come off one
-// after the other at an even force; a much shorter one would hold each row with a large force over a small way,
-// which a hanging weight could not overcome.
+// Adhesion is modelled as a cohesive bond that forms where wet cloth has touched a surface. It pulls the node
+// back with a force of up to energy / reach x area, and breaks at a distance of `reach`. So peeling takes the
+// energy, independent of the reach. The reach is the distance of neighbouring nodes: rows of nodes then come
+// off one after the other at a constant force. A much shorter reach would hold each row with a large force
+// over a short distance, which a hanging weight could not overcome.
 class Friction {
   public:
     Friction(const Fabric& fabric, const ClothMesh& mesh);
 
-    // Says what a solid is to this cloth. @throws std::invalid_argument for a surface out of range
+    // Sets the surface of a solid for this cloth. @throws std::invalid_argument for a surface out of range
     void setSurface(const btCollisionObject& solid, const Surface& surface);
     void setSurface(const btCollisionObject& solid, SurfaceKind kind) { surfaces_[&solid] = ofKind(kind); }
-    // Back to what holds for any solid: see `surfaceAt`.
+    // Restores the default surface; see `surfaceAt`.
     void clearSurface(const btCollisionObject& solid) { surfaces_.erase(&solid); }
 
-    // The surface of a solid: the one that was set; else a wettable plate, with all friction coefficients
-    // times kDF x the solid's own friction over the dry one.
+    // The surface of a solid: the one that was set; otherwise a wettable plate, with all friction
+    // coefficients scaled by kDF x the solid's friction / dry friction.
     // @param kDF  the sheet's m_cfg.kDF
     Surface surfaceAt(const btCollisionObject& solid, btScalar kDF) const;
 
-    // Says by what water to answer from now on; nodes are looked at when they are asked for, as few touch anything.
-    // @param laws, moisture  stay where they are
+    // Sets the water that the functions below use. Values are computed only on request, because few nodes are
+    // in contact.
+    // @param laws, moisture  must outlive this
     void evaluate(const WetLaws& laws, const Moisture& moisture) {
         laws_ = &laws;
         moisture_ = &moisture;
     }
 
     // @pre `evaluate`
-    // Friction coefficient of a node on a surface, 1.
+    // Friction coefficient of a node on a surface, dimensionless.
     double friction(const Surface& surface, std::size_t node) const {
         return frictionCoefficient(surface, moisture_->saturation(node), moisture_->filmThickness(node));
     }
-    // Force of the bond of a node, per wettability, N.
+    // Adhesive force of a node at a wettability of 1, N.
     double adhesion(std::size_t node) const { return adhesionTraction(node) * areas_[node]; }
     // The same on a surface, N.
     double adhesion(const Surface& surface, std::size_t node) const {
         return surface.wettability * adhesion(node);
     }
-    // Where bonds break, m.
+    // Distance at which adhesive bonds break, m.
     double reach() const { return reach_; }
-    // Whether the cloth would cling if it were wet.
+    // Whether the cloth would adhere if it were wet.
     bool canAdhere() const { return canAdhere_; }
 
-    // By how much water changes the friction of a node with other cloth, 1: as on a plate.
+    // Factor by which water changes the friction of a node on other cloth, dimensionless; the same as on a
+    // plate.
     double frictionRatio(std::size_t node) const;
-    // Energy of the bond of a node per reach, N/m2.
+    // Adhesion energy of a node over the reach, N/m2.
     double adhesionTraction(std::size_t node) const;
     double area(std::size_t node) const { return areas_[node]; }
 
-    // Takes over what has been said of solids, and the bonds, of the cloth that this is cut from.
+    // Takes over the surfaces of solids and the adhesive bonds from the cloth before a cut.
     void takeOver(const Friction& other);
 
-    // What each node is bonded to, by its address alone; none for no bond. Cloth has two faces.
+    // What each node adheres to, by address only; null for nothing. There are two lists, because cloth has
+    // two faces.
     std::vector<const btCollisionObject*> adheresTo;       // a solid
     std::vector<const btCollisionObject*> adheresToCloth;  // another soft body
 

@@ -18,7 +18,7 @@ namespace {
 
 const btVector3 anyDirection(0, 1, 0);
 
-// Seen from a centre or an axis that the surface surrounds at `radius`.
+// Distance and normal of a surface at `radius` around a centre or an axis.
 SurfacePoint around(const btVector3& offset, btScalar radius) {
     const btScalar length = offset.length();
     return {length - radius, length > SIMD_EPSILON ? offset / length : anyDirection};
@@ -52,10 +52,10 @@ SurfacePoint ofConvex(const btConvexShape& shape, const btVector3& point, btSpar
     SurfacePoint found;
     found.distance = btGjkEpaSolver2::SignedDistance(point, 0, &shape, btTransform::getIdentity(), results);
     found.normal = results.normal;
-    // Within the shape itself Bullet leaves its margin out.
+    // Inside the shape Bullet's distance omits the margin.
     if (results.status == btGjkEpaSolver2::sResults::Penetrating)
         found.distance -= shape.getMarginNonVirtual();
-    // On the very surface neither of the two algorithms finds a direction.
+    // Exactly on the surface neither of the two algorithms finds a direction.
     constexpr auto rounding = btScalar(0.01);
     const bool isFound = found.distance < BT_LARGE_FLOAT && std::abs(found.normal.length2() - 1) < rounding;
     if (!isFound) found.distance = field.Evaluate(point, &shape, found.normal, 0);
@@ -64,7 +64,7 @@ SurfacePoint ofConvex(const btConvexShape& shape, const btVector3& point, btSpar
 
 using Triangle = std::array<btVector3, 3>;
 
-// Of the six points that Bullet makes of a triangle, three are on either side.
+// Bullet represents a triangle by six points, three on each side.
 Triangle triangleOf(const btCollisionShape& hull) {
     const auto& points = static_cast<const btConvexHullShape&>(hull);
     Triangle corners;
@@ -106,7 +106,7 @@ SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& tr
 bool isTriangleOfMesh(const btCollisionObjectWrapper& solid) {
     constexpr int corners = 6;
     const btCollisionShape& shape = *solid.getCollisionShape();
-    // Triangles have an index and no parent; children of a compound have both.
+    // Triangles have an index but no parent; children of a compound have both.
     return solid.m_index >= 0 && !solid.m_parent &&
            !solid.getCollisionObject()->getCollisionShape()->isConvex() &&
            shape.getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE &&

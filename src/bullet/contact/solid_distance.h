@@ -1,4 +1,4 @@
-// How far a point is from a solid.
+// Distance of a point from a solid.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
@@ -11,30 +11,31 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 struct SurfacePoint {
     btScalar distance;  // m; negative inside
-    btVector3 normal;   // outwards, of unit length
+    btVector3 normal;   // outward unit vector
 };
 
-// The nearest surface of a solid's shape: exact for spheres, boxes, capsules and, by GJK and EPA, all that is
-// convex; by Bullet's distance field, as fine as its voxels, for the rest. Convex hulls have their margin around them.
+// The nearest surface point of a solid's shape: exact for spheres, boxes and capsules, and by GJK and EPA for
+// other convex shapes; from Bullet's distance field, at the resolution of its voxels, for all others. Convex
+// hulls include their margin.
 SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& transform,
                             const btVector3& point, btSparseSdf<3>& field);
 
-// Whether a shape is a triangle of a mesh, which Bullet hands out as a hull of six points, three on either side
-// and far off, so that soft bodies float above meshes.
+// Whether a shape is a triangle of a mesh. Bullet represents it as a hull of six points, three at a distance
+// on each side, so soft bodies float above meshes.
 bool isTriangleOfMesh(const btCollisionObjectWrapper& solid);
 
-// The nearest point of such a triangle, of no thickness; outwards is where the point is.
+// The nearest point of such a triangle, without its thickness; the normal points to the side of the point.
 SurfacePoint nearestOnTriangle(const btCollisionShape& hull, const btTransform& transform,
                                const btVector3& point);
 
-// The normal of such a triangle on the side where the point is.
+// The normal of such a triangle on the side of the point.
 btVector3 normalOfTriangle(const btCollisionShape& hull, const btTransform& transform,
                            const btVector3& point);
 
-// How far a solid's shape reaches along a direction, as a place along it, m; infinitely far if it is not convex.
+// The extent of a solid's shape along a direction, as a coordinate along it, m; infinite if it is not convex.
 btScalar farthestAlong(const btCollisionShape& shape, const btTransform& transform,
                        const btVector3& direction);
-// The same of a triangle.
+// The same for a triangle.
 btScalar farthestOfTriangle(const btCollisionShape& hull, const btTransform& transform,
                             const btVector3& direction);
 

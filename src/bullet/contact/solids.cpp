@@ -13,7 +13,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 namespace {
 
 btRigidBody* rigidBody(const btCollisionObject& object) {
-    // Bullet hands out solids as constants, and has them pushed all the same.
+    // Bullet passes solids as const, although they may be pushed.
     return btRigidBody::upcast(const_cast<btCollisionObject*>(&object));
 }
 
@@ -58,7 +58,8 @@ void Solid::advance(double smallStep) {
 
 void Solid::finish(btDispatcher* dispatcher) {
     if (addedVelocity_.isZero() && addedSpin_.isZero()) return;
-    // What has blown a sheet up, and held it back, must not reach others.
+    // The reaction of a sheet that became unstable, and was held at its position, must not affect other
+    // bodies.
     const btVector3 all =
         addedVelocity_.absolute() + addedSpin_.absolute() + shift_.absolute() + turn_.absolute();
     if (!(double(all.x() + all.y() + all.z()) <= fastestNode)) return;

@@ -12,7 +12,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// A node that no triangle with an area has looks up.
+// The normal of a node without a triangle of an area above 0 points up.
 std::vector<Eigen::Vector3f> normalsOf(const ClothFrame& frame) {
     std::vector<Eigen::Vector3f> normals(frame.positions.size(), Eigen::Vector3f::Zero());
     const auto at = [](int node) { return static_cast<std::size_t>(node); };

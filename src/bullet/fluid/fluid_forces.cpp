@@ -15,7 +15,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// Under water across a sheet of that area, kg/m2; see FluidForces.
+// Added mass of a sheet of that area under water, kg/m2; see FluidForces.
 double addedMassOf(double area) {
     constexpr double widest = 0.1;  // m
     constexpr double quarterOfPi = 0.785398163397448;
@@ -27,7 +27,7 @@ float dot(const Eigen::Array4f& a, const Eigen::Array4f& b) {
 }
 
 float sizeOf(const Eigen::Array4f& a) {
-    return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);  // not finite where one of them is not
+    return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);  // not finite if one component is not
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ FluidForces::FluidForces(const RestShape& shape, const Fabric& fabric)
     : areas_(shape.nodeAreas.begin(), shape.nodeAreas.end()),
       fibrePerArea_(waterDensity * fabric.arealDensity / fabric.fibreDensity),
       floatingFraction_(fabric.arealDensity / (fibrePerArea_ + fabric.poreCapacity())),
-      // Across the cloth as along it (assumed), whose two directions count alike.
+      // Permeability through the cloth, equal to that along it (assumed), as the mean of both directions.
       waterPermeability_(std::sqrt(fabric.permeabilityWarp * fabric.permeabilityWeft) /
                          (waterViscosity * fabric.thickness)),
       totalArea_(std::accumulate(shape.nodeAreas.begin(), shape.nodeAreas.end(), 0.0)),
@@ -92,7 +92,7 @@ void FluidForces::evaluate(const btSoftBody& body, const Around& around) {
     if (!isGoingOn_) begin(body, around);
     gather(around);
     gatherWater(around);
-    const AirDrag drag = around.laws.drag(0);  // of its members only the permeability depends on the water
+    const AirDrag drag = around.laws.drag(0);  // only the permeability depends on the water
     bestPushByFluid()(forces_.data(), faces_.data(), around.pose.relativePositions.data(), velocities_.data(),
                       accelerations_.data(), fluid_.data(),
                       {float(airDensity), float(waterDensity), float(0.5 * drag.normal),
@@ -103,8 +103,8 @@ void FluidForces::evaluate(const btSoftBody& body, const Around& around) {
     isGoingOn_ = true;
 }
 
-// A sheet that is held somewhere, or has slept, begins in balance; any other as falling. Writes down a last
-// substep of which `gather` finds just that.
+// Initial estimate: a sheet that is held at some node, or has slept, is in equilibrium; any other sheet is in
+// free fall. Sets the values of a previous substep from which `gather` derives this estimate.
 void FluidForces::begin(const btSoftBody& body, const Around& around) {
     bool isHeld = hasRested_ || body.m_anchors.size() > 0;
     for (int n = 0; !isHeld && n < body.m_nodes.size(); ++n) isHeld = !(body.m_nodes[n].m_im > 0);
@@ -120,15 +120,17 @@ void FluidForces::begin(const btSoftBody& body, const Around& around) {
     lastSubstep_ = float(around.substep);
 }
 
-// Notes what the last substep says of each node, and what it is like in air, in one pass over all arrays.
+// Updates the estimates of each node from the last substep, and its properties in air, in one pass over all
+// arrays.
 //
-// The estimate lags behind. A mean over several substeps keeps that from driving what vibrates from one
-// substep to the next: 0.2 does in air, up to drag that would stop the cloth in a third of a substep. In
-// water, which goes along and slows vibrations, 0.5 does, and a wrong estimate is sooner forgotten.
+// The estimate lags behind. Averaging over several substeps prevents it from exciting vibrations from one
+// substep to the next: a weight of 0.2 suffices in air, up to a drag that would stop the cloth in a third of
+// a substep. In water, whose added mass slows vibrations, 0.5 suffices, and a wrong estimate is corrected
+// sooner.
 void FluidForces::gather(const Around& around) {
-    constexpr float newestInAir = 0.2f, newestInWater = 0.5f;  // shares in the mean
-    constexpr float absurd = 1e6f;  // m/s2; of a substep that comes to nothing sensible nothing is learnt
-    // Blows much harder than what the fluid does say nothing of the next substep, m/s2 (assumed).
+    constexpr float newestInAir = 0.2f, newestInWater = 0.5f;  // weights of the newest value in the mean
+    constexpr float absurd = 1e6f;  // m/s2; a substep with larger values is ignored
+    // Impacts much harder than the forces of the fluid do not predict the next substep, m/s2 (assumed).
     const float hardest = std::max(100.0f, 2 * float(around.pose.gravity)), perSecond = 1 / lastSubstep_;
     const Eigen::Array4f gravity = arrayOf(gravity_), lastGravity = arrayOf(lastGravity_);
     const AirDrag dry = around.laws.drag(0), wet = around.laws.drag(1);
@@ -159,10 +161,10 @@ void FluidForces::gather(const Around& around) {
     }
 }
 
-// Part of a node's estimated acceleration that something else takes up. The force of water that goes along
-// rests on the estimate and whatever holds a node answers that force, so that the two could confirm each other
-// for long: cloth that lands would be weightless for seconds. But a node that does not go where it is meant
-// to go, in the mean over a while, is held.
+// Part of a node's estimated acceleration that is cancelled by whatever holds the node. The force of the
+// added mass depends on the estimate, and what holds a node responds to that force. The two could confirm
+// each other for long: cloth that lands would be weightless for seconds. So a node whose mean acceleration
+// does not follow the mean expected one counts as held.
 Eigen::Array4f FluidForces::answered(std::size_t node, const Eigen::Array4f& meant,
                                      const Eigen::Array4f& change) {
     constexpr float awhile = 0.1f, tiny = 1e-12f;  // s (assumed); m2/s4
@@ -170,12 +172,12 @@ Eigen::Array4f FluidForces::answered(std::size_t node, const Eigen::Array4f& mea
     PackedVector &meanMeant = meantChanges_[node], &meanChange = changes_[node];
     meanMeant = nodeOf(arrayOf(meanMeant) + (meant - arrayOf(meanMeant)) * towards);
     meanChange = nodeOf(arrayOf(meanChange) + (change - arrayOf(meanChange)) * towards);
-    // Only along the estimate: what vibrates in other directions says nothing of it.
+    // Only the component along the estimate; vibrations in other directions are not relevant to it.
     const auto estimate = arrayOf(accelerations_[node]);
     const float meantAlong = dot(arrayOf(meanMeant), estimate),
                 follows = dot(arrayOf(meanChange), estimate) / (meantAlong + tiny);
     if (!(meantAlong > 0 && follows < 0.5f)) return Eigen::Array4f::Zero();
-    // The force changes with the estimate by the share of the mass that is water's.
+    // The force changes with the estimate in proportion to the added mass over the mass.
     const FluidNode& fluid = fluid_[node];
     const float perMeant = 1 + float(addedMass_) * fluid.fraction / fluid.massPerArea;
     const float wrong = perMeant * meantAlong / (dot(estimate, estimate) + tiny);
@@ -195,7 +197,7 @@ void FluidForces::gatherWater(const Around& around) {
     }
 }
 
-// Puts a share of a node, as `gather` has left it, under water.
+// Submerges a fraction of a node, as `gather` has left it.
 void FluidForces::immerse(std::size_t node, float fraction, float displacedOverMass, const Around& around) {
     FluidNode& fluid = fluid_[node];
     fluid.fractionBefore = isGoingOn_ ? std::min(fluid.fraction, fraction) : fraction;
@@ -212,14 +214,14 @@ void FluidForces::immerse(std::size_t node, float fraction, float displacedOverM
     fluid.permeability += (float(waterPermeability_) - fluid.permeability) * fraction;
 }
 
-// Water whose place a node takes when all of it is under, kg.
+// Mass of water that a completely submerged node displaces, kg.
 float FluidForces::maxDisplaced(std::size_t node, const Around& around) const {
     return float(double(areas_[node]) * fibrePerArea_ + around.moisture.poreCapacity(node) +
                  around.moisture.filmMass()[node]);
 }
 
-// Share of a node under water at the end of the substep, to first order: a lift that is as strong as where the
-// node has been would make what floats bob ever higher.
+// Submerged fraction of a node at the end of the substep, to first order. With the fraction at the start of
+// the substep, floating bodies would bob ever higher.
 float FluidForces::fractionAtEnd(std::size_t node, float displacedOverMass, const Around& around) const {
     const auto dt = float(around.substep), gravity = float(around.pose.gravity);
     const PackedVector up = packed(around.pose.up);
@@ -232,13 +234,13 @@ float FluidForces::fractionAtEnd(std::size_t node, float displacedOverMass, cons
     const double slope =
         (submergedFraction(double(depth) + apart) - submergedFraction(double(depth) - apart)) / (2 * apart);
     const float perLift = float(slope) * dt * dt;
-    const float falling = -dot(arrayOf(accelerations_[node]), arrayOf(up));  // but for the lift
+    const float falling = -dot(arrayOf(accelerations_[node]), arrayOf(up));  // without buoyancy
     return std::clamp((float(fraction) + perLift * falling) / (1 + perLift * gravity * displacedOverMass),
                       0.0f, 1.0f);
 }
 
-// What holds a node answers any change of its weight at once, as far as it has held it: without knowing that,
-// water that goes along would.
+// Whatever holds a node compensates a change of its weight immediately, as far as it has held the node
+// before. The estimate must include this, because the added mass acts on it.
 void FluidForces::answerLift(std::size_t node, float lifted) {
     constexpr float nothing = 0.01f;  // m2/s4
     OtherAcceleration& acceleration = accelerations_[node];

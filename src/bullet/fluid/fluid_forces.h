@@ -1,4 +1,4 @@
-// What air and water do to the faces and nodes of a body, in place of Bullet's aero models.
+// Forces of air and water on the faces and nodes of a body, in place of Bullet's aero models.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -19,27 +19,28 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-// The air and the water around one sheet.
+// Forces of the air and the water around one sheet.
 //
-// Per face F = -1/2 rho A (C_n |u_n| u_n n + C_t |u_t| u_t), u the velocity of the face against the fluid,
-// rho its density. Fluid leaks through the cloth: the pressure is that of the speed which is left after the
-// leak, and the leak that of the pressure (Darcy). Where a share of a node is under water, density, velocity
-// and permeability are those of the mixture. Water also moves along across the face, pi/4 rho L per area
-// (Lamb 1932, "Hydrodynamics": a plate of width L), L the smaller of the root of the sheet's area and 0.1 m
-// (assumed: cloth folds at that scale). Per node the water lifts what it displaces: fibre, full pores whether
-// water or air is in them, and film.
+// Per face F = -1/2 rho A (C_n |u_n| u_n n + C_t |u_t| u_t), with u the velocity of the face relative to the
+// fluid and rho the density of the fluid. Fluid passes through the cloth: the pressure follows from the
+// relative speed minus the speed of the flow through the cloth, and that flow follows from the pressure
+// (Darcy). If a fraction of a node is under water, density, velocity and permeability are those of the
+// mixture. For motion normal to the face, water has an added mass of pi/4 rho L per area (Lamb 1932,
+// "Hydrodynamics": a plate of width L), with L the smaller of the square root of the sheet's area and 0.1 m
+// (assumed: cloth folds at that scale). Buoyancy per node is the weight of the displaced water: fibre, full
+// pores whether they contain water or air, and film.
 //
-// Drag is taken at the end of the substep. For that each node has an estimate of its acceleration by all else
-// than drag and added mass: gravity and buoyancy as they are, and the mean over the last substeps of what
-// links, contacts and the application have done. So drag is right where nothing changes, for cloth that falls
-// steadily as for cloth that is held; it may stop the relative motion but never reverses it. Added mass acts
-// on the same estimate, against each change of the velocity, and on cloth that comes into the water, which
-// then shares its momentum with it.
+// Drag is evaluated at the end of the substep. For this each node has an estimate of its acceleration by
+// everything except drag and added mass: the present gravity and buoyancy, and the mean effect of links,
+// contacts and the application over the last substeps. So drag is accurate in steady states, for cloth that
+// falls steadily as for cloth that is held; it may stop the relative motion but never reverses it. The added
+// mass uses the same estimate. It resists each change of the velocity, and takes up momentum from cloth that
+// enters the water.
 class FluidForces {
   public:
     FluidForces(const RestShape& shape, const Fabric& fabric);
 
-    // What a substep needs.
+    // Input of a substep.
     struct Around {
         const WetLaws& laws;
         const std::vector<PackedVector>& winds;  // velocity of the air at each node, m/s
@@ -49,20 +50,20 @@ class FluidForces {
         const Pose& pose;
         double substep;  // s
     };
-    // Adds to the nodes' forces.
+    // Adds the forces to those of the nodes.
     void add(btSoftBody& body, const Around& around);
-    // The same as a change of the nodes' velocities, for a world that ignores forces on nodes.
+    // Changes the velocities of the nodes instead, for a world that ignores nodal forces.
     void push(btSoftBody& body, const Around& around);
-    // Forgets the last substep, as the body sleeps.
+    // Resets the estimates, because the body sleeps.
     void rest() {
         isGoingOn_ = false;
         hasRested_ = true;
     }
 
-    // Whether water lifts a body that has rested otherwise than when it came to rest.
+    // Whether buoyancy on a sleeping body differs from that at the time when it fell asleep.
     bool isLiftedOtherwise(const Around& around) const;
 
-    // See SheetPose.
+    // See SheetPose::floatingFraction.
     double floatingFraction() const { return floatingFraction_; }
 
   private:
@@ -85,22 +86,23 @@ class FluidForces {
     double floatingFraction_;   // see SheetPose
     double waterPermeability_;  // m/(s Pa)
     double totalArea_;          // m2
-    double addedMass_;          // under water, kg/m2
+    double addedMass_;          // added mass under water, kg/m2
     std::vector<FaceBlock> faces_;
-    // Of each node, and a spare one; see PushByFluid. They last until the next substep, which learns from them.
+    // For each node, and a spare one; see PushByFluid. They are kept until the next substep, which uses them
+    // for its estimates.
     std::vector<PackedVector> velocities_;
     std::vector<OtherAcceleration> accelerations_;
     std::vector<FluidForce> forces_;
     std::vector<FluidNode> fluid_;
-    std::vector<std::size_t> wet_;  // nodes that are in water
+    std::vector<std::size_t> wet_;  // nodes under water
 
-    bool isGoingOn_ = false;                    // from the last substep
-    bool hasRested_ = false;                    // at some time
+    bool isGoingOn_ = false;                    // whether there is a last substep
+    bool hasRested_ = false;                    // whether the body has slept since the start
     float lastSubstep_ = 0;                     // s
     PackedVector gravity_ = {0, 0, 0, 0};       // m/s2
     PackedVector lastGravity_ = {0, 0, 0, 0};   // of the last substep, m/s2
-    std::vector<PackedVector> lastVelocities_;  // as the last substep began, m/s
-    // Means over a while under water of the acceleration that was meant and the one that came of it, m/s2.
+    std::vector<PackedVector> lastVelocities_;  // at the start of the last substep, m/s
+    // Moving averages, for nodes under water, of the expected and of the actual acceleration, m/s2.
     std::vector<PackedVector> meantChanges_, changes_;
 };
 

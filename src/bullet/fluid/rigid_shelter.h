@@ -1,4 +1,4 @@
-// What keeps the rain off: Bullet's rigid bodies.
+// Shelter from rain by Bullet's rigid bodies.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
@@ -9,7 +9,7 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Asks Bullet's ray test. Soft bodies, and things without contact response (triggers), keep nothing off.
+// Uses Bullet's ray test. Soft bodies, and objects without contact response (triggers), give no shelter.
 class RigidShelter final : public Shelter {
   public:
     explicit RigidShelter(const btCollisionWorld& world) : world_(world) {}
@@ -19,7 +19,7 @@ class RigidShelter final : public Shelter {
     const btCollisionWorld& world_;
 };
 
-// What a ray to solid things hits first; soft bodies and triggers let it pass.
+// The first solid that a ray hits; soft bodies and triggers are ignored.
 struct SolidRay final : btCollisionWorld::ClosestRayResultCallback {
     SolidRay(const btVector3& from, const btVector3& to);
     bool needsCollision(btBroadphaseProxy* proxy) const override;

@@ -1,4 +1,4 @@
-// What sources have said about nodes under water.
+// Depths of nodes under water, as reported by sources.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -15,13 +15,13 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-// Written by the sources of a sheet, read by what pushes it in the same substep, then forgotten.
+// Written by the sources of a sheet, read by the fluid forces in the same substep, then cleared.
 class Submersion {
   public:
     explicit Submersion(std::size_t nodes)
         : isUnder_(nodes, 0), depths_(nodes, 0), velocities_(nodes, PackedVector{0, 0, 0, 0}) {}
 
-    // Of several waters around a node the deepest counts.
+    // If a node gets several depths, the greatest counts.
     void submerge(std::size_t node, double depth, const Eigen::Vector3d& velocity) {
         if (isUnder_[node] && !(float(depth) > depths_[node])) return;
         if (!isUnder_[node]) nodes_.push_back(node);
@@ -36,11 +36,11 @@ class Submersion {
 
     // Whether a depth of the node is known.
     bool knows(std::size_t node) const { return isUnder_[node] != 0; }
-    // Nodes of which a depth is known.
+    // Nodes with a known depth.
     const std::vector<std::size_t>& nodes() const { return nodes_; }
-    // Of such a node, m below the surface.
+    // Depth of such a node below the surface, m.
     float depth(std::size_t node) const { return depths_[node]; }
-    // Of the water there, m/s.
+    // Velocity of the water there, m/s.
     const PackedVector& velocity(std::size_t node) const { return velocities_[node]; }
 
   private:

@@ -18,9 +18,9 @@ namespace {
 
 constexpr double fastest = 1e4;  // m/s
 constexpr std::size_t raysPerStep = 32;
-// Of patches in a sheet; small ones have fewer.
+// Number of patches of a sheet; small sheets have fewer.
 constexpr std::size_t maxPatches = 256, minNodes = 16;
-// In which the shelter follows what the rays say, s (assumed).
+// Time constant with which the shelter follows the results of the rays, s (assumed).
 constexpr double shelterTime = 0.3;
 
 Eigen::Vector3d vector3Of(const PackedVector& node) {
@@ -42,7 +42,7 @@ Eigen::Vector3d checkedVelocity(const WindField& field, const Eigen::Vector3d& p
                                " s; return finite ones of at most 10000 m/s");
 }
 
-// Of each node, in the order of its triangles.
+// Neighbours of each node, in the order of its triangles.
 CompressedRows<std::size_t> neighboursOf(const ClothMesh& mesh) {
     return {mesh.size(), [&](const auto& add) {
                 for (const auto& triangle : mesh.triangles)
@@ -60,7 +60,7 @@ WindAtNodes::WindAtNodes(const ClothMesh& mesh) : velocities_(mesh.size(), Packe
     makePatches(mesh);
 }
 
-// Each patch grows around a node that no other patch has taken.
+// Each patch grows around a node that does not yet belong to a patch.
 void WindAtNodes::makePatches(const ClothMesh& mesh) {
     const auto neighbours = neighboursOf(mesh);
     const std::size_t max = std::max(minNodes, (mesh.size() + maxPatches - 1) / maxPatches);
@@ -99,7 +99,8 @@ void WindAtNodes::fill(const Eigen::Vector3d& wind) {
     isUniform_ = true;
 }
 
-// Spans the sheet. The lattice never gets coarser again: each change moves the wind a little.
+// Spans the sheet. The lattice never becomes coarser again, because each change alters the interpolated wind
+// slightly.
 void WindAtNodes::layLattice(double spacing, const Pose& pose) {
     low_ = arrayOf(pose.relativePositions[0]);
     Eigen::Array4f high = low_;

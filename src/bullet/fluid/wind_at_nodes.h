@@ -19,26 +19,26 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-// Reads the air's field on a coarse lattice around the sheet and keeps the wind off what is behind solids.
+// Evaluates the wind field on a coarse lattice around the sheet, and reduces the wind behind solids.
 class WindAtNodes {
   public:
     explicit WindAtNodes(const ClothMesh& mesh);
 
-    // Where and when a sheet is.
+    // Position and time of a sheet.
     struct Moment {
         const Pose& pose;
-        Eigen::Vector3d origin;  // of the pose's places, m
-        double time;             // of the body, s
+        Eigen::Vector3d origin;  // of the positions of the pose, m
+        double time;             // time of the body, s
         double step;             // s
         const btCollisionWorld& world;
     };
-    // @throws std::runtime_error for a field without a sensible velocity or length, and what the field throws;
-    //     nothing that outlasts the step has then changed
+    // @throws std::runtime_error for a field with an invalid velocity or length, and what the field throws;
+    //     the state that is kept between steps is then unchanged
     void evaluate(const Air& air, const Moment& moment);
 
-    // m/s
+    // Velocity of the air at each node, m/s.
     const std::vector<PackedVector>& velocities() const { return velocities_; }
-    // Of the cloth, by its nodes' areas, m/s.
+    // Velocity of the cloth, averaged over the areas of its nodes, m/s.
     const Eigen::Vector3d& mean() const { return mean_; }
 
   private:
@@ -47,12 +47,12 @@ class WindAtNodes {
 
     static constexpr std::size_t maxPoints = 6;  // of the lattice along an axis
 
-    // Nodes that are next to each other, and what is upwind of them.
+    // A group of neighbouring nodes, and its shelter upwind.
     struct Patch {
         std::vector<std::size_t> nodes;
-        std::size_t middle;   // node that the ray starts from
-        double passing = 1;   // share of the wind that would pass if it stayed as it is
-        double fraction = 1;  // that passes, 1
+        std::size_t middle;   // node from which the ray starts
+        double passing = 1;   // fraction of the wind that passes in the steady state
+        double fraction = 1;  // fraction of the wind that passes now, 0 to 1
     };
 
     void fill(const Eigen::Vector3d& wind);
@@ -70,7 +70,7 @@ class WindAtNodes {
     bool isUniform_ = true;
 
     std::array<std::size_t, 3> points_ = {2, 2, 2};  // along each axis
-    Eigen::Array4f low_ = Eigen::Array4f::Zero();    // corner of the lattice, m, as the pose's places
+    Eigen::Array4f low_ = Eigen::Array4f::Zero();    // lowest corner, m, relative to the pose's origin
     Eigen::Array4f distance_ = Eigen::Array4f::Ones();
     std::array<PackedVector, maxPoints * maxPoints * maxPoints> lattice_{};  // m/s
 

@@ -11,7 +11,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// Velocities whose momentum a float can hold.
+// Largest velocity whose momentum a float can represent.
 void checkVelocity(const char* what, std::size_t node, const Eigen::Vector3d& velocity) {
     constexpr double fastest = 1e6;  // m/s
     if (!(velocity.cwiseAbs().maxCoeff() <= fastest) || !velocity.allFinite())

@@ -1,4 +1,4 @@
-// How water comes to a body's sheet and leaves it, under the name of a source.
+// Adds water to a sheet and takes water from it, in the ledger account of a source.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -17,10 +17,11 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-// Books in one account of the sheet's moisture, notes the momentum that arrives, and wakes the body.
+// Records water in one account of the sheet's moisture, collects the momentum that arrives, and wakes the
+// body.
 class AccountSupply final : public Supply {
   public:
-    // What it works on, all of which outlives it.
+    // The objects that it changes; all must outlive it.
     struct Sheet {
         Moisture& moisture;
         std::vector<Arrival>& arrivals;
@@ -28,13 +29,14 @@ class AccountSupply final : public Supply {
         btSoftBody& body;
         const BodyWatch& watch;
     };
-    // @param momentumFraction  of arriving water that pushes the body: 1 / waterSpeed for a source that runs in
-    //     water time, since the body is hit by so much less in its own time
-    // @param noticeable     water beyond which the body wakes, kg; what comes flying always wakes it
+    // @param momentumFraction  fraction of the momentum of arriving water that acts on the body: 1 /
+    //     waterSpeed for a source that runs in water time
+    // @param noticeable     mass of water above which the body wakes, kg; water with a velocity always wakes
+    //     it
     AccountSupply(const Sheet& sheet, std::size_t account, double momentumFraction, double noticeable)
         : sheet_(sheet), account_(account), momentumFraction_(momentumFraction), noticeable_(noticeable) {}
 
-    // As in the constructor, from now on.
+    // Changes these parameters of the constructor.
     void setMomentumFraction(double momentumFraction) { momentumFraction_ = momentumFraction; }
 
     void addFilm(std::size_t node, double mass, const Eigen::Vector3d& velocity) override;
@@ -56,10 +58,10 @@ class AccountSupply final : public Supply {
     std::size_t account_;
     double momentumFraction_;
     double noticeable_;     // kg
-    double unnoticed_ = 0;  // water that has come and gone since it last woke the body, kg
+    double unnoticed_ = 0;  // added and taken since it last woke the body, kg
 };
 
-// Takes nothing and gives nothing.
+// Adds and takes no water.
 class NoSupply final : public Supply {
   public:
     void addFilm(std::size_t, double, const Eigen::Vector3d&) override {}

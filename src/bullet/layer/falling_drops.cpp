@@ -22,14 +22,14 @@ constexpr double longestFall = 20;  // s
 // A drop starts on the cloth that it leaves, and must not land there at once.
 constexpr double clearance = 0.02;  // m
 
-// Where a way through the air meets a sheet.
+// Where the path of a drop hits a sheet.
 struct Hit {
-    double fraction;  // of the way
+    double fraction;  // of the path, 0 to 1
     int face;
-    Eigen::Vector3d weights;  // of the face's corners, at least 0, 1 together
+    Eigen::Vector3d weights;  // of the face's corners; at least 0, sum 1
 };
 
-// Moeller & Trumbore (1997), from both sides; a side that two faces share belongs to both.
+// Moeller & Trumbore (1997), from both sides; an edge that two faces share belongs to both.
 std::optional<Hit> meet(const btSoftBody& body, int f, const Eigen::Vector3d& from,
                         const Eigen::Vector3d& displacement) {
     const btSoftBody::Face& face = body.m_faces[f];
@@ -68,7 +68,7 @@ struct SavedDrops {
         FallingDrops::Flight flight;
         Eigen::Vector3d origin;
         double momentumFraction;
-        std::int32_t sheet;  // place among the sheets; -1 for one that has ended
+        std::int32_t sheet;  // index of the sheet; -1 if it was destroyed
     };
 
     void state(StatePass& pass) {
@@ -96,11 +96,11 @@ struct FallingDrops::Sheets {
 };
 
 struct FallingDrops::Origins {
-    // Where a flight began.
+    // Origin of a flight.
     struct Origin {
         Eigen::Vector3d position;
-        const void* sheet;        // its layer, to be compared only
-        double momentumFraction;  // that lands with it; see WetCloth::Layer::add
+        const void* sheet;        // its layer; address only
+        double momentumFraction;  // fraction of the momentum that acts on landing; see WetCloth::Layer::add
     };
     std::vector<Origin> all;
 };
@@ -196,7 +196,7 @@ void FallingDrops::load(StateReader& reader) {
     massLost_ = saved.massLost;
 }
 
-// Lands a flight if it meets something on its way. @return whether it does
+// Lands a flight if it hits something on its path. @return whether it does
 bool FallingDrops::land(std::size_t i, const Eigen::Vector3d& to) {
     const Flight& flight = flights_[i];
     const Origins::Origin& origin = origins_->all[i];

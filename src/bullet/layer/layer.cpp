@@ -25,8 +25,8 @@ double checkedWaterSpeed(const char* name, double waterSpeed) {
     refuse(name, " is ", waterSpeed, "; give a value from 0 to 100000");
 }
 
-// Of arriving water, the part that pushes the body: it is hit by the water of its own time only, however much more
-// the sheet takes up meanwhile.
+// Fraction of the momentum of arriving water that acts on the body: the water runs faster than the body's
+// time, but only the water of the body's own time may push it.
 double momentumFraction(double waterSpeed) {
     return std::min(1.0, 1 / waterSpeed);
 }
@@ -90,7 +90,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       totalArea(std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0)),
       laws(fabric),
       moisture(fabric, mesh),
-      // From here on nothing refuses, and the body may change.
+      // From here on nothing throws, and the body may be changed.
       watch(body, mechanics),
       savedState(body, mechanics),
       shelter(world),
@@ -104,7 +104,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       ticks(world, *this) {
     mechanics.evaluate(laws, moisture);
     writeMasses(body, mechanics.masses);
-    body.updateLinkConstants();  // fit for the masses, until the first substep brings those of the fabric
+    body.updateLinkConstants();  // for these masses, until the first substep sets those of the fabric
     if (isDeformable(world))
         deformable = std::make_unique<DeformableSheet>(world, body, mechanics, dryMasses(),
                                                        std::max(1.0, double(fabric.wetStretchRatio)),
@@ -138,7 +138,7 @@ std::size_t WetCloth::Layer::checkedNode(int node) const {
                               mesh.size() - 1);
 }
 
-// Water on each node, kg, where every part of the cloth gets the same, kg/m2.
+// Water on each node, kg, for an even distribution of massPerArea, kg/m2.
 std::vector<double> WetCloth::Layer::spread(double massPerArea) const {
     if (!(massPerArea >= 0 && massPerArea <= 1e3))
         refuse("soaking with ", massPerArea, " kg/m2; give a value from 0 to 1000");
@@ -173,7 +173,7 @@ SheetPose WetCloth::Layer::sheetPose() const {
 void WetCloth::Layer::add(std::unique_ptr<Source> source) {
     if (!source) refuse("there is no source to add; give one");
     if (watch.bodyIsAlive()) {
-        // A source checks its settings at every step; at one of no length it does nothing else.
+        // A source checks its settings in every step; with a dt of 0 it does nothing else.
         if (fits()) {
             pose.gather(body, mesh);
             pose.gatherMotion(body);
@@ -182,7 +182,8 @@ void WetCloth::Layer::add(std::unique_ptr<Source> source) {
         source->supply(sheetPose(), 0, trial);
     }
     const std::size_t number = moisture.openAccount(source->name());
-    // Cloth that floats may go to sleep, while its last pores fill ever more slowly, and wakes as it gets heavier.
+    // Floating cloth may fall asleep while its last pores fill more and more slowly, and wakes as it gets
+    // heavier.
     const double noticeable = 1e-3 * laws.mass(totalArea, 0);
     auto supply =
         std::make_unique<AccountSupply>(AccountSupply::Sheet{moisture, arrivals, submersion, body, watch},
@@ -261,7 +262,7 @@ void WetCloth::Layer::substep(btScalar dt) {
 
 void WetCloth::Layer::postTick(btScalar dt) {
     if (!isInWorld()) return;
-    if (topology.hasMoved(body)) {  // as the application has cut the cloth since the substep began
+    if (topology.hasMoved(body)) {  // because the application has cut the cloth since the substep began
         topology.follow(body);
         keepFaceTree(body);
     }
@@ -280,7 +281,7 @@ void WetCloth::Layer::postTick(btScalar dt) {
     mechanics.times.contacts += watchOfContacts.lap();
 }
 
-// The deformable world knows no timescale.
+// The deformable world ignores the timescale.
 double WetCloth::Layer::bodyStepOf(btScalar dt) const {
     return deformable ? double(dt) : double(dt) * double(body.m_cfg.timescale);
 }
@@ -289,7 +290,7 @@ void WetCloth::Layer::supply(double waterTime) {
     if (suppliers.empty()) return;
     pose.gatherMotion(body);
     const SheetPose sheet = sheetPose();
-    // A source may remove itself or others, and add some, whose turn comes in the next step.
+    // A source may remove sources, itself included, and add sources, which are called from the next step on.
     struct Supplying {
         explicit Supplying(Layer& itsLayer) : layer(itsLayer) { layer.supplying = true; }
         ~Supplying() {
@@ -313,8 +314,8 @@ void WetCloth::Layer::supply(double waterTime) {
     }
 }
 
-// A face on a solid thing does not dry, and nothing drips through it. Bullet's contacts come and go from
-// step to step, so one counts for a while.
+// A face in contact with a solid does not dry, and does not drip. Bullet's contacts appear and disappear from
+// step to step, so each counts for a while.
 void WetCloth::Layer::touchSolids() {
     constexpr double lasting = 0.1;  // s
     constexpr double fromBelow = 0.5;
@@ -334,7 +335,7 @@ void WetCloth::Layer::touchSolids() {
 }
 
 void WetCloth::Layer::moveWater(double waterTime) {
-    // The rate below the bound maximum divides by 1 - humidity, and in saturated air stays what it is just before.
+    // The rate below the bound maximum divides by 1 - humidity, so the humidity is limited to just below 1.
     constexpr double dampest = 0.999;
     Air around = usedAir;
     around.humidity = std::min(around.humidity, dampest);
@@ -359,14 +360,14 @@ void WetCloth::Layer::writeBack(double bodyStep) {
     mechanics.evaluate(laws, moisture);
     writeMasses(body, mechanics.masses);
     if (deformable) return;
-    // A SmallStepSolver reads the mechanics itself; Bullet's takes them from the links.
+    // A SmallStepSolver reads the mechanics itself; Bullet's solvers read them from the links.
     if (!std::exchange(mechanics.movedBySmallSteps, false)) {
         writeLinkConstants(body, mechanics, bodyStep);
         mechanics.smallSteps = 0;
     }
 }
 
-// Bullet uses up the forces of bodies that are awake only; for one asleep they would pile up.
+// Bullet clears the forces only of bodies that are awake; for a sleeping body they would accumulate.
 void WetCloth::Layer::pushByFluid(double bodyStep) {
     const FluidForces::Around around = {laws,    winds.velocities(), submersion, moisture, mechanics, pose,
                                         bodyStep};

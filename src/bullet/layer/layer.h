@@ -1,4 +1,4 @@
-// Everything behind a WetCloth.
+// Implementation of WetCloth.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
@@ -38,7 +38,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class BulletPass;
 
-// One sheet in one world, in the order of the step.
+// One sheet in one world. Members are in the order of a step.
 struct WetCloth::Layer final : TickListener {
     Layer(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
           const SheetSettings& settings);
@@ -46,18 +46,18 @@ struct WetCloth::Layer final : TickListener {
     Layer(const Layer&) = delete;
     Layer& operator=(const Layer&) = delete;
 
-    // A source and the account that it works in; none once it was removed within the step.
+    // A source and its account; null if it was removed within the step.
     struct Supplier {
         std::unique_ptr<Source> source;
         std::unique_ptr<AccountSupply> supply;
     };
-    // An account that the application works in.
+    // An account for the application.
     struct NamedAccount {
         std::string name;
         AccountSupply supply;
     };
 
-    // When a node last counts as touching something solid, and as lying on it, by `time`.
+    // Times until which a node counts as touching a solid, and as lying on it.
     struct Contact {
         double touchesUntil = -1;
         double liesUntil = -1;
@@ -78,12 +78,12 @@ struct WetCloth::Layer final : TickListener {
     void postTick(btScalar dt) override;
     void substep(btScalar dt);
     void checkBeforeStep(btScalar dt);
-    // Whether the body is the cloth that this knows, as it is made to be if it can.
+    // Whether the topology of the body is known; adapts to a change of it if possible.
     bool fitToBody();
     void refit();
     void repairUnfitBody();
     void detach();
-    // Whether the body can have been changed since the last substep; looks at counts only.
+    // Whether the numbers of nodes, links and faces are those of the last substep.
     bool fits() const;
     void repairBody();
     void reportHeldSubsteps();
@@ -97,13 +97,13 @@ struct WetCloth::Layer final : TickListener {
     void writeBack(double bodyStep);
     void pushByFluid(double bodyStep);
 
-    // What it keeps from step to step; see layer_state.cpp.
+    // State that is kept from step to step; see layer_state.cpp.
     Snapshot snapshot();
     void restore(const Snapshot& snapshot);
     void checkBetweenSteps() const;
     void checkSameSheet(const Snapshot& snapshot) const;
     std::uint64_t topologyHash() const;
-    // Calls `each(name, function)` for each section of a snapshot but the last, that of the sources.
+    // Calls `each(name, function)` for each section of a snapshot except the last one, the sources.
     template <typename Each>
     void forEachSection(Each each);
     void checkSections(const Snapshot& snapshot);
@@ -120,15 +120,15 @@ struct WetCloth::Layer final : TickListener {
     void loadSources(StateReader reader);
     void restoreUnnoticed(StateReader reader);
 
-    btDiscreteDynamicsWorld& world;  // known to exist during its own pre-tick only
-    btSoftBody& body;                // exists while the watch says so
+    btDiscreteDynamicsWorld& world;  // known to exist only during its own pre-tick
+    btSoftBody& body;                // exists as long as `watch` says so
     const Stepping stepping;
     double waterSpeed;
     Diagnostics diagnostics;
-    int objectsChecked = 0;  // collision objects in the world when it was last looked through for planes
+    int objectsChecked = 0;  // number of collision objects in the world at the last check for planes
     Air air;
-    Air usedAir;                                 // the last that was in range
-    btVector3 usedGravity = btVector3(0, 0, 0);  // the last that was, m/s2
+    Air usedAir;                                 // last valid value of air
+    btVector3 usedGravity = btVector3(0, 0, 0);  // last valid gravity, m/s2
 
     const Fabric fabric;
     SheetMechanics mechanics;
@@ -144,31 +144,31 @@ struct WetCloth::Layer final : TickListener {
     WindAtNodes winds;
     Submersion submersion;  // of this substep, or since the last one
     FluidForces fluidForces;
-    std::unique_ptr<DeformableSheet> deformable;  // where the world is deformable; else none
+    std::unique_ptr<DeformableSheet> deformable;  // null unless the world is deformable
     StockContacts stockContacts;
     DeformableContacts deformableContacts;
     ClothContacts clothContacts;
 
     AccountSupply application;  // for water that the application adds itself
     std::vector<Supplier> suppliers;
-    std::vector<Supplier> removed;      // within the step, whose end they live to see
-    bool supplying = false;             // within the step, while sources bring their water
-    std::deque<NamedAccount> accounts;  // stay where they are
+    std::vector<Supplier> removed;      // kept until the end of the step
+    bool supplying = false;             // whether sources are being called
+    std::deque<NamedAccount> accounts;  // addresses stay valid
     Pose pose;
     Surroundings surroundings;
     static constexpr std::size_t maxDropsKept = 100000;
-    std::deque<Drop> drops;  // that nobody has taken yet
-    double time = 0;         // of the body, since the layer was made, s
+    std::deque<Drop> drops;  // not yet taken by the application
+    double time = 0;         // of the body since the layer was made, s
 
     std::vector<Contact> contacts;  // of each node
-    double touchedUntil = -1;       // by which the last of them ends
+    double touchedUntil = -1;       // time at which the last contact ends, s
 
     std::vector<Arrival> arrivals;   // since the last substep
-    int heldSubsteps = 0;            // that have been reported
-    int refits = 0;                  // to a body that was cut
-    PartCounts refused = {0, 0, 0};  // of the body that could not be followed last
+    int heldSubsteps = 0;            // already reported
+    int refits = 0;                  // number of adaptations to a changed topology
+    PartCounts refused = {0, 0, 0};  // last topology that could not be followed
     std::string whyRefused;
-    std::vector<btVector3> unfitPositions;  // of its nodes, m
+    std::vector<btVector3> unfitPositions;  // last valid positions of an unfit body, m
 
     Ticks ticks;
 };

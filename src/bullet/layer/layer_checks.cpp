@@ -1,4 +1,4 @@
-// What a layer looks after before each substep: that the body is its cloth, and that all it reads can be calculated with.
+// Checks and repairs of a layer before each substep: topology of the body, valid numbers.
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -19,7 +19,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// Whether each node has cloth, or a link to one that has.
+// Whether each node has cloth, or a link to a node that has.
 std::vector<bool> areHeld(const RestShape& shape) {
     std::vector<bool> held;
     for (const double area : shape.nodeAreas) held.push_back(area > 0);
@@ -30,13 +30,13 @@ std::vector<bool> areHeld(const RestShape& shape) {
     return held;
 }
 
-// Makes a body that was cut one that Bullet can step as the cloth that it is.
+// Makes a body valid for Bullet after a cut: masses, areas, rest lengths and link constants.
 void writeCut(btSoftBody& body, const SheetMechanics& mechanics, std::size_t oldNodes) {
     forgetContacts(body);
     double mass = 0;
     for (const double nodeMass : mechanics.masses) mass += nodeMass / double(mechanics.masses.size());
-    // Bullet's new nodes are of 1 kg; a loose end without cloth weighs as much as others. What hangs on nothing, as
-    // Bullet leaves it behind, would fall for good, and stays.
+    // New nodes of Bullet have 1 kg. A loose end without cloth gets the mean mass. Nodes without any link to
+    // cloth, which Bullet leaves behind, would fall forever, so they are fixed.
     const std::vector<bool> held = areHeld(mechanics.shape);
     for (std::size_t n = oldNodes; n < mechanics.masses.size(); ++n) {
         btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
@@ -61,7 +61,7 @@ bool WetCloth::Layer::fitToBody() {
     topology.follow(body);
     if (mechanics.fits && topology.isAsItWas(body, mechanics.shape)) return true;
     repairUnfitBody();
-    // Whether it can be followed is looked at once, as that takes a while.
+    // Each topology is tried only once, because that takes a while.
     if (mechanics.fits || refused != countsOf(body)) try {
             refused = countsOf(body);
             refit();
@@ -78,7 +78,7 @@ bool WetCloth::Layer::fitToBody() {
     return false;
 }
 
-// What can be mended of a body whatever it has become.
+// Repairs that are possible whatever the topology is.
 void WetCloth::Layer::repairUnfitBody() {
     repairSettings(body, diagnostics);
     repairGravity(body, usedGravity, diagnostics);
@@ -93,11 +93,11 @@ void WetCloth::Layer::detach() {
     keepFaceTree(body);
 }
 
-// All that is known of each node, link and face anew; what belongs to the sheet as a whole goes on.
+// Replaces all data per node, link and face; the state of the sheet as a whole is kept.
 void WetCloth::Layer::refit() {
     Recut cut = recutOf(body, mechanics.shape, mesh, moisture);
     const std::vector<double> oldAreas = mesh.areas;
-    // From here on nothing refuses.
+    // From here on nothing throws.
     moisture.recut(fabric, cut.mesh, std::move(cut.poreMass), std::move(cut.filmMass));
     mechanics.recut(fabric, std::move(cut.shape), std::move(cut.mesh));
     savedState.recut(body, mechanics, oldAreas, dryMasses());
@@ -119,11 +119,11 @@ void WetCloth::Layer::refit() {
 }
 
 void WetCloth::Layer::checkBeforeStep(btScalar dt) {
-    // What the application has set up wrongly, which nobody but it can put right.
+    // Errors of the setup, which only the application can correct.
     if (deformable) deformable->check(world, double(dt));
     repairBody();
     reportHeldSubsteps();
-    // The last, as shelter lasts from step to step.
+    // Last, because the shelter is kept from step to step.
     readAir(bodyStepOf(dt));
 }
 
@@ -161,7 +161,7 @@ void WetCloth::Layer::readAir(double bodyStep) {
         winds.evaluate(usedAir, {pose, toEigen(pose.origin), time, bodyStep, world});
     } catch (const std::exception& problem) {
         const std::string why = reasonOf(problem);
-        const bool isNamed = why.find("wind field") != std::string::npos;  // as by Drench's own checks
+        const bool isNamed = why.find("wind field") != std::string::npos;  // in Drench's own messages
         diagnostics.noteThrown(Trouble::air,
                                isNamed ? why : textOf("the wind field in WetCloth::air().field: ", why));
     }

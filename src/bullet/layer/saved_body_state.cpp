@@ -49,7 +49,7 @@ void SavedBodyState::recut(btSoftBody& body, SheetMechanics& mechanics, const st
                            const std::vector<double>& dryMasses) {
     const auto links = static_cast<std::size_t>(body.m_links.size());
     if (links < linkOrder_.size())
-        linkOrder_.clear();  // the links that are gone leave no order to go back to
+        linkOrder_.clear();  // links have been removed, so the original order cannot be restored
     while (linkOrder_.size() < links) linkOrder_.push_back(static_cast<int>(linkOrder_.size()));
     orderLinks(body, mechanics);
     for (std::size_t n = 0; n < dryMasses.size(); ++n) {
@@ -79,7 +79,7 @@ void SavedBodyState::silenceAero(btSoftBody& body) {
 void SavedBodyState::restore(btSoftBody& body, const std::vector<double>& dryMasses) const {
     body.m_cfg.kDG = drag_;
     body.m_cfg.kLF = lift_;
-    // Of a body whose topology has changed nothing else can be told apart any more.
+    // In a body whose topology has changed, nothing else can be assigned any more.
     if (body.m_nodes.size() != static_cast<int>(inverseMasses_.size()) ||
         body.m_links.size() != static_cast<int>(linkConstants_.size()))
         return;

@@ -1,4 +1,4 @@
-// What a layer takes over of a body, and how the body gets it back.
+// Saves what a layer changes on a body, and restores it.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -13,22 +13,22 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class SavedBodyState {
   public:
-    // Primes the body, keeps what it was, and orders its links by colour, and those of `mechanics` with them.
+    // Primes the body, saves its state, and sorts its links and those of `mechanics` by graph colouring.
     SavedBodyState(btSoftBody& body, SheetMechanics& mechanics);
 
-    // The same for the body as it is after a cut.
-    // @param mechanics   of the body now, in the order of its links, which this changes
-    // @param oldAreas    of the nodes that there were, m2
+    // Adapts to the body after a cut.
+    // @param mechanics   of the present body; its links are reordered
+    // @param oldAreas    of the nodes before the cut, m2
     // @param dryMasses   of all nodes, kg; 0 for a node without cloth
     void recut(btSoftBody& body, SheetMechanics& mechanics, const std::vector<double>& oldAreas,
                const std::vector<double>& dryMasses);
 
-    // Switches Bullet's aero models off; what the application has set since is kept for the end.
+    // Switches Bullet's aero models off. Values that the application has set since are saved for `restore`.
     void silenceAero(btSoftBody& body);
 
-    // Gives back masses, link constants, link order and aero model. Pins that the application has set or
-    // taken out in the meantime are its decision: a freed node gets the mass in `dryMasses`, and links at
-    // either get the constant that Bullet would give them.
+    // Restores masses, link constants, link order and aero model. Pins that the application has set or
+    // removed meanwhile are kept: an unpinned node gets the mass in `dryMasses`, and links next to changed
+    // pins get the constant that Bullet would compute.
     void restore(btSoftBody& body, const std::vector<double>& dryMasses) const;
 
   private:
@@ -36,7 +36,7 @@ class SavedBodyState {
 
     std::vector<btScalar> inverseMasses_;
     std::vector<btScalar> linkConstants_;  // in the layer's order
-    std::vector<int> linkOrder_;           // the application's link at each place
+    std::vector<int> linkOrder_;           // index of the application's link at each index
     btScalar drag_ = 0;
     btScalar lift_ = 0;
 };

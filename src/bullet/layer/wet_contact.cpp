@@ -14,14 +14,14 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-constexpr double filmTime = 0.1;  // s, time constant in which films between touching faces even out (assumed)
+constexpr double filmTime = 0.1;  // time constant with which films of touching faces even out, s (assumed)
 
 bool isNodeOf(const btSoftBody& body, const btSoftBody::Node* node) {
     return body.m_nodes.size() > 0 && node >= &body.m_nodes[0] &&
            node < &body.m_nodes[0] + body.m_nodes.size();
 }
 
-// By its address alone: the body that a face was of may be gone.
+// Compares addresses only, because the body of the face may have been destroyed.
 bool isFaceOf(const btSoftBody& body, const btSoftBody::Face* face) {
     return body.m_faces.size() > 0 && face >= &body.m_faces[0] &&
            face < &body.m_faces[0] + body.m_faces.size();
@@ -55,13 +55,13 @@ void WetBody::load(StateReader& reader) {
 
 Touch::Touch(WetCloth& other) : other_(other.layer_) {}
 
-// What passes between the nodes here and there.
+// Exchanges water between the nodes of both sheets.
 struct Touch::Exchange {
     const SheetPose& here;
     WetCloth::Layer& there;
     Supply& supplyHere;
     Supply& supplyThere;
-    double poreFraction;  // of what would even them out, in this step
+    double poreFraction;  // fractions of a complete equalization in this step
     double filmFraction;
 
     void pass(const Pair& pair, double weight) {
@@ -73,7 +73,7 @@ struct Touch::Exchange {
                                         areaThere));
     }
 
-    // What has to pass from one store to another until both are equally full.
+    // Mass to move from one store to another so that both are equally full.
     static double evenOut(double mass, double room, double otherMass, double otherRoom) {
         return (mass * otherRoom - otherMass * room) / (room + otherRoom);
     }
@@ -95,7 +95,7 @@ struct Touch::Exchange {
     }
 };
 
-// A contact joins a node of one body to a face of the other; each body keeps those of its own nodes.
+// A contact joins a node of one body to a face of the other; each body lists the contacts of its own nodes.
 void Touch::findPairs(const btSoftBody& here, const btSoftBody& there) {
     pairs_.clear();
     for (const btSoftBody* nodes : {&here, &there}) {
@@ -138,7 +138,7 @@ void Touch::supply(const SheetPose& sheet, double dt, Supply& supply) {
     constexpr double oneFace = 0.5;
     for (const Pair& pair : pairs_) {
         if (!usable(pair)) continue;
-        // A node with many contacts has its whole face there once.
+        // If a node has many contacts, their weights are scaled so that its face is covered only once.
         const double here = std::max(weightsHere_[pair.here], 1.0),
                      there = std::max(weightsThere_[pair.there], 1.0);
         exchange.pass(pair, pair.weight / std::max(here, there));

@@ -25,7 +25,7 @@ void Diagnostics::write(Trouble what, const std::string& message, int node, doub
         reports_.push_back({what, {}, -1, 0, time_, time_, substep_, substep_, 0});
         report = reports_.end() - 1;
     }
-    // Of several in one substep, such as all nodes at once, the first is the one to read of.
+    // If several nodes have the problem in one substep, the first one is reported.
     if (report->substeps > 0 && report->lastSubstep == substep_) return;
     report->message = withoutPrefix(message);
     report->node = node;

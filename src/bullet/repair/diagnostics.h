@@ -1,4 +1,4 @@
-// What has gone wrong with a sheet, and the policy for it.
+// Reports of problems of a sheet, and the policy for them.
 #pragma once
 
 #include <string>
@@ -10,22 +10,23 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Keeps one report for each kind of trouble, so that they stay few however long it lasts.
+// Keeps one report for each kind of problem, so that their number stays small however long a problem lasts.
 class Diagnostics {
   public:
     explicit Diagnostics(OnTrouble policy) : policy_(policy) {}
 
-    // Says when what follows happens.
+    // Sets the time and the substep of the following reports.
     void begin(double time, std::int64_t substep) {
         time_ = time;
         substep_ = substep;
     }
 
-    // @param message  without "drench: "; says what, and how to mend it
-    // @throws std::runtime_error with the message, if the policy wants that; the caller has then changed nothing
+    // @param message  without "drench: "; says what the problem is, and how to prevent it
+    // @throws std::runtime_error with the message, if the policy is OnTrouble::throwError; the caller must
+    //     not have changed anything before
     void note(Trouble what, const std::string& message, int node = -1, double value = 0);
-    // The same for something that was thrown, which goes on its way if the policy wants that.
-    // @pre called while it is being handled
+    // The same for an exception, which is rethrown if the policy is OnTrouble::throwError.
+    // @pre called while the exception is being handled
     void noteThrown(Trouble what, const std::string& message);
 
     bool throws() const { return policy_ == OnTrouble::throwError; }

@@ -26,7 +26,7 @@ double largestStrain(const btSoftBody& body, const SheetMechanics& mechanics) {
 }
 
 double deepestPenetration(const btSoftBody& body) {
-    // Bullet measures distances from where cloth rests, a margin away from the surface.
+    // Bullet measures distances from the position where cloth rests, one margin away from the surface.
     const auto margin = double(body.getCollisionShape()->getMargin());
     double deepest = 0;
     for (int i = 0; i < body.m_rcontacts.size(); ++i) {
@@ -35,7 +35,7 @@ double deepestPenetration(const btSoftBody& body) {
             double(contact.m_cti.m_normal.dot(contact.m_node->m_x) + contact.m_cti.m_offset);
         deepest = std::max(deepest, -(distance + margin));
     }
-    for (int i = 0; i < body.m_nodeRigidContacts.size(); ++i)  // of the deformable world
+    for (int i = 0; i < body.m_nodeRigidContacts.size(); ++i)  // in the deformable world
         deepest = std::max(deepest, -(double(body.m_nodeRigidContacts[i].m_cti.m_offset) + margin));
     return deepest;
 }

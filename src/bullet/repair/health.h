@@ -1,4 +1,4 @@
-// Reads the state of health of a sheet off its body.
+// Computes the mechanical diagnostics of a sheet from its body.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -10,9 +10,9 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 bool isFinite(const btSoftBody& body);
-// The largest |length / rest length - 1| of links that do not bend.
+// The largest |length / rest length - 1| of all links that are not marked as bending.
 double largestStrain(const btSoftBody& body, const SheetMechanics& mechanics);
-// How deep the deepest node is in a solid that it touches, m; 0 if none is inside.
+// The largest depth of a node inside a solid that it touches, m; 0 if no node is inside.
 double deepestPenetration(const btSoftBody& body);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -44,7 +44,7 @@ class Recutter {
     }
 
   private:
-    // A corner of a new face in the old face that it is a piece of: the shares of that face's corners.
+    // A corner of a new face in the old face of which it is a piece: its barycentric coordinates there.
     using Weights = std::array<double, 3>;
 
     int checkedIndex(const btSoftBody::Node* node, const char* what, int of) const {
@@ -76,7 +76,7 @@ class Recutter {
                 flat[0] * weights[corner][0] + flat[1] * weights[corner][1] + flat[2] * weights[corner][2];
         }
         const double area = triangleArea(coordinates) * restOverMaterial(origin);
-        constexpr double thinnest = 1e-9;  // of the old face; what is smaller would take endless steps
+        constexpr double thinnest = 1e-9;  // of the old area; thinner pieces take too many steps
         if (!(area > thinnest * old_.triangleAreas[origin]))
             throw std::invalid_argument(textOf("face ", cut_.shape.triangles.size(),
                                                " has less than 1e-9 of the area of the face that it is of"));
@@ -100,7 +100,7 @@ class Recutter {
         return old_.triangleAreas[face] / triangleArea(oldMesh_.coordinates[face]);
     }
 
-    // The old face that a new one is, or is a piece of.
+    // The old face that is equal to a new face, or of which the new face is a piece.
     std::size_t originOf(std::size_t face, const Triangle& triangle) {
         if (face < old_.triangles.size() && old_.triangles[face] == triangle) return face;
         std::vector<std::size_t> candidates;
@@ -149,7 +149,7 @@ class Recutter {
         return weightsOf(positionOf(node), face);
     }
 
-    // Of the corners of an old face, in its plane; outside of it some are below 0.
+    // Barycentric coordinates of a point in the plane of an old face; outside the face some are negative.
     Weights weightsOf(const btVector3& position, std::size_t face) const {
         const Triangle& corners = old_.triangles[face];
         const Eigen::Vector3d origin = toEigen(positionOf(corners[0]));
@@ -195,10 +195,10 @@ class Recutter {
                                        : (positionOf(nodes[1]) - positionOf(nodes[0])).length();
     }
 
-    // What stands on the old nodes, on the new ones.
+    // Transfers the water of the old nodes to the new nodes.
     std::vector<double> pour(const Moisture& moisture, const std::vector<double>& masses) const {
         std::vector<double> sums(old_.triangles.size(),
-                                 0.0);  // of the pieces of each old face, before scaling
+                                 0.0);  // on the pieces of each old face, before scaling
         for (std::size_t f = 0; f < origins_.size(); ++f)
             for (std::size_t corner = 0; corner < 3; ++corner)
                 sums[origins_[f]] += share(f, corner, moisture, masses);
@@ -216,7 +216,7 @@ class Recutter {
         return poured;
     }
 
-    // Of a corner of a new face, if the water lay on the pieces exactly as on the old face, kg.
+    // Water of a corner of a new face, if it lay on the pieces exactly as on the old face, kg.
     double share(std::size_t face, std::size_t corner, const Moisture& moisture,
                  const std::vector<double>& masses) const {
         if (isSewnOn_[face]) return 0;
@@ -237,13 +237,13 @@ class Recutter {
     const ClothMesh& oldMesh_;
     const int oldNodes_;
     FaceProjection projection_;
-    CompressedRows<std::size_t> facesAround_;  // indices of old faces, of each old node
+    CompressedRows<std::size_t> facesAround_;  // indices of the old faces around each old node
     Recut cut_;
-    // Of each new face.
+    // For each new face.
     std::vector<std::size_t> origins_;
     std::vector<std::array<Weights, 3>> weights_;
-    std::vector<bool> isSewnOn_;            // beside that old face, and dry
-    std::map<NodePair, btScalar> lengths_;  // at rest, m
+    std::vector<bool> isSewnOn_;            // whether it was added beside that old face, and so is dry
+    std::map<NodePair, btScalar> lengths_;  // rest lengths, m
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Cloth that an application has cut, refined or sewn while it hangs, told from the cloth that it was.
+// Adapts a sheet to a body that an application has cut, refined or extended.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -13,7 +13,7 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// What a body has become, and the water on it.
+// The cloth of a changed body, and its water.
 struct Recut {
     RestShape shape;
     ClothMesh mesh;
@@ -21,17 +21,18 @@ struct Recut {
     std::vector<double> filmMass;  // kg
 };
 
-// Fits shape, mesh and water to a body whose old nodes are where they were in its array, and whose new ones, if any,
+// Computes shape, mesh and water of a changed body. Old nodes must have kept their index; new nodes, if any,
 // come after them.
 //
-// A face of other nodes than before is a piece of the old face, near one of its old corners, that its middle is nearest
-// to now, or, beside it, sewn on to it and dry; its new corners get their material coordinates from where they are in
-// the plane of that face. Links between the same nodes
-// keep their rest length, others along an edge get that of the material, and others again that of now. The water of
-// each old face goes to its pieces, as it lay on the face; that of faces without a piece is missing from the sums.
+// A face with other nodes than before is assigned to an old face near one of its old corners: the one nearest
+// to its middle in the present positions. It is either a piece of that face or was added beside it; then it
+// is dry. The material coordinates of its new corners follow from their position in the plane of that face.
+// Links between the same nodes keep their rest length; other links along an edge get the length in the
+// material; all others get their present length. The water of each old face is distributed over its pieces as
+// it lay on the face; that of faces without a piece is missing from the sums.
 //
-// @param shape, mesh  as they were; links in the body's order
-// @throws std::invalid_argument for a body that is no cloth, or no longer this one
+// @param shape, mesh  before the change; links in the body's order
+// @throws std::invalid_argument for a body that is not a valid cloth, or whose change cannot be followed
 Recut recutOf(const btSoftBody& body, const RestShape& shape, const ClothMesh& mesh,
               const Moisture& moisture);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr auto unlimited = std::numeric_limits<btScalar>::max();
 
-// A setting of a body, its range, and what Bullet gives new bodies.
+// A setting of a body, its range, and Bullet's default.
 struct Setting {
     const char* name;
     btScalar btSoftBody::Config::*value;
@@ -42,7 +42,7 @@ constexpr Setting settings[] = {
     {"drag", &Config::drag, -unlimited, unlimited, 0},
 };
 
-// The first component that is no number or larger than `most`; 0 if there is none.
+// The first component that is NaN or larger than `max`; 0 if there is none.
 double excess(const btVector3& v, double max) {
     for (int axis = 0; axis < 3; ++axis)
         if (!(std::abs(double(v[axis])) <= max)) return double(v[axis]);

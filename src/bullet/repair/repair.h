@@ -1,4 +1,4 @@
-// Puts right what an application, its forces or Bullet have left of a body that nobody can calculate with.
+// Repairs invalid values of a body, such as NaN, that come from the application, its forces or Bullet.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -12,22 +12,23 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Mends the settings of m_cfg: those that are out of range get Bullet's default.
+// Repairs the settings in m_cfg: values out of range are set to Bullet's default.
 void repairSettings(btSoftBody& body, Diagnostics& diagnostics);
 
-// The same for the rest length scale. @pre the body is of that shape
+// The same for the rest length scale. @pre the topology of the body is that of the shape
 void repairRestLengthScale(btSoftBody& body, const RestShape& shape, Diagnostics& diagnostics);
 
-// Mends the gravity of the body's world info. @param lastGood  what it becomes, m/s2
+// Repairs the gravity of the body's world info. @param lastGood  value to which it is reset, m/s2
 void repairGravity(btSoftBody& body, const btVector3& lastGood, Diagnostics& diagnostics);
 
-// Mends positions, velocities, forces and inverse masses.
-// @param lastGood  of each node the last good place, m; a node beyond these goes where one is that it is linked to
-// @param masses    of each node, kg; one beyond these becomes a pin
+// Repairs positions, velocities, forces and inverse masses.
+// @param lastGood  last valid position of each node, m; a node beyond this list is moved to a node to which
+//     it is linked
+// @param masses    of each node, kg; a node beyond this list is pinned
 void repairNodes(btSoftBody& body, const std::vector<btVector3>& lastGood, const std::vector<double>& masses,
                  Diagnostics& diagnostics);
 
-// Where the nodes of a body are, m.
+// Positions of the nodes of a body, m.
 std::vector<btVector3> positionsOf(const btSoftBody& body);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -16,7 +16,7 @@ const Element* firstElement(const btAlignedObjectArray<Element>& array) {
     return array.size() > 0 ? &array[0] : nullptr;
 }
 
-// Calls `isRight(i)` for every one of the `part`th of so many parts of `count` things.
+// Whether `isRight(i)` is true for all indices in the given one of callsForAll parts of `count` elements.
 template <typename IsRight>
 bool holdsForPart(std::size_t count, std::size_t part, IsRight isRight) {
     for (std::size_t i = count * part / callsForAll; i < count * (part + 1) / callsForAll; ++i)
@@ -24,7 +24,7 @@ bool holdsForPart(std::size_t count, std::size_t part, IsRight isRight) {
     return true;
 }
 
-// By addresses alone, as there is nothing any more where the nodes were.
+// Computed from addresses only, because the old array has been freed.
 void moveAnchors(btSoftBody& body, const btSoftBody::Node* from) {
     const auto start = reinterpret_cast<std::uintptr_t>(from);
     for (int i = 0; i < body.m_deformableAnchors.size(); ++i) {

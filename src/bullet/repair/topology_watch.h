@@ -1,4 +1,4 @@
-// Notices when an application changes the nodes, links and faces of a body.
+// Detects changes of the nodes, links and faces of a body by the application.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -13,15 +13,16 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 class TopologyWatch {
   public:
-    // Keeps where Bullet has the parts of the body. Drops what of it points to where they were before, or, as anchors
-    // of the deformable world, which Bullet forgets, sets it right.
+    // Stores the addresses of the body's arrays. Removes what points into the old arrays: contacts and the
+    // tree of faces. Pointers of anchors of the deformable world, which Bullet does not update, are
+    // corrected.
     void follow(btSoftBody& body);
-    // Whether Bullet has moved them in memory since, as it does when some are appended. What points to them,
-    // contacts and the tree of faces, then points nowhere.
+    // Whether Bullet has moved the arrays in memory since, as it does when elements are appended. Contacts
+    // and the tree of faces then have dangling pointers.
     bool hasMoved(const btSoftBody& body) const;
 
-    // Whether a body has the parts of a shape, joined as there. Counts are compared each time, what links and
-    // faces join only bit by bit: an exchange among parts, such as randomizeConstraints makes, shows after up to
+    // Whether a body has the topology of a shape. The numbers of nodes, links and faces are compared in each
+    // call, their node indices only in parts: a permutation, as by randomizeConstraints, is detected within
     // 64 calls.
     bool isAsItWas(const btSoftBody& body, const RestShape& shape);
 
@@ -29,10 +30,10 @@ class TopologyWatch {
     const btSoftBody::Node* nodes_ = nullptr;
     const void* links_ = nullptr;
     const void* faces_ = nullptr;
-    std::size_t part_ = 0;  // of the parts that come next
+    std::size_t part_ = 0;  // part to compare next
 };
 
-// Drops contacts and the tree of faces.
+// Removes contacts and the tree of faces.
 void forgetContacts(btSoftBody& body);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

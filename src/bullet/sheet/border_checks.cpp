@@ -26,7 +26,7 @@ bool containsPlane(const btCollisionShape& shape) {
     return false;
 }
 
-// Whether the collision filters let two objects meet; an object that is in no world yet might.
+// Whether the collision filters let two objects collide; an object that is in no world yet may collide.
 bool mayMeet(const btBroadphaseProxy* a, const btBroadphaseProxy* b) {
     if (!a || !b) return true;
     return (a->m_collisionFilterGroup & b->m_collisionFilterMask) != 0 &&

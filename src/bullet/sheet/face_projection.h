@@ -1,4 +1,4 @@
-// Where a node of one soft body is nearest to a face of another.
+// The point on a face of one soft body that is nearest to a node of another.
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
@@ -9,13 +9,13 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// The point of a triangle that is nearest to another point, however small the triangle is. (Bullet's own search takes
-// those of less than 1.7 cm2 for points, and finds nothing on them.)
+// The nearest point on a triangle to a given point, for triangles of any size. (Bullet's own search treats
+// triangles below 1.7 cm2 as points, and finds nothing on them.)
 class FaceProjection {
   public:
     struct Nearest {
-        btVector3 weights;  // of the corners
-        btVector3 apart;    // from there to the point, m
+        btVector3 weights;  // barycentric coordinates
+        btVector3 apart;    // from the nearest point to the given point, m
     };
 
     Nearest of(const btVector3& point, const btVector3& a, const btVector3& b, const btVector3& c);
@@ -24,7 +24,7 @@ class FaceProjection {
     btVoronoiSimplexSolver simplex_;
 };
 
-// A contact that Bullet does nothing about, for those who look through its lists.
+// A contact for code that reads Bullet's lists; Bullet does not resolve it.
 btSoftBody::SContact silentContact(btSoftBody::Node& node, btSoftBody::Face& face, const btVector3& weights,
                                    const btVector3& normal, btScalar margin, btScalar friction);
 

@@ -11,7 +11,7 @@ namespace {
 
 using Leaves = std::vector<btDbvtNode*>;
 
-// In Bullet's memory, as it frees it.
+// Allocated by Bullet, which frees it.
 btDbvtNode* newNode() {
     auto* const node = new (btAlignedAlloc(sizeof(btDbvtNode), 16)) btDbvtNode();
     node->parent = nullptr;
@@ -31,7 +31,7 @@ btDbvtVolume boundsOf(const btSoftBody::Face& face) {
     return btDbvtVolume::FromPoints(corners, 3);
 }
 
-// Along which the leaves reach farthest.
+// The axis along which the leaves are spread widest.
 int longestAxis(Leaves::const_iterator begin, Leaves::const_iterator end) {
     btVector3 low = (*begin)->volume.Center(), high = low;
     for (auto leaf = begin; leaf != end; ++leaf) {
@@ -41,7 +41,7 @@ int longestAxis(Leaves::const_iterator begin, Leaves::const_iterator end) {
     return (high - low).maxAxis();
 }
 
-// Halves the leaves again and again.
+// Divides the leaves in half recursively.
 btDbvtNode* treeOf(Leaves::iterator begin, Leaves::iterator end) {
     if (end - begin == 1) return *begin;
     const int axis = longestAxis(begin, end);
@@ -63,7 +63,8 @@ void fill(btDbvt& tree, Leaves leaves) {
     tree.m_leaves = static_cast<int>(leaves.size());
 }
 
-// Bullet's leaves of nodes are as wide as the margin was when they were made, 0.25 m by default, and never shrink.
+// Bullet's leaves of nodes are as wide as the margin at the time when they were made, 0.25 m by default, and
+// never shrink.
 void makeNodeTree(btSoftBody& body) {
     body.m_ndbvt.clear();
     Leaves leaves;

@@ -1,4 +1,4 @@
-// The trees in which Bullet looks for the faces of a soft body.
+// Bullet's trees of the faces of a soft body.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -8,11 +8,11 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Builds the trees of faces that btSoftBody::initializeFaceTree builds, which compares all faces with all others, and
-// never ends for cloth of two pieces; and as that does, the tree of nodes anew. In place of those that there are.
+// Builds the same trees as btSoftBody::initializeFaceTree, which takes quadratic time, and never returns for
+// cloth in two pieces. Like that function it also rebuilds the tree of nodes. Existing trees are replaced.
 void makeFaceTree(btSoftBody& body);
 
-// Drops them.
+// Removes the trees of faces.
 void dropFaceTree(btSoftBody& body);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

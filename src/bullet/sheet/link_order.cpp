@@ -9,7 +9,7 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 std::vector<int> colouredOrder(const std::vector<std::array<int, 2>>& links, int nodes) {
-    // A node with more than 64 links, which no cloth has, shares the last colour.
+    // Nodes with more than 64 links, which do not occur in cloth, share the last colour.
     constexpr int lastColour = 63;
     IndependentSets colours(links, static_cast<std::size_t>(nodes));
     std::vector<int> waiting(links.size()), order;

@@ -1,4 +1,4 @@
-// The order in which Bullet's sweeps meet the links of a body.
+// The order in which Bullet's sweeps solve the links of a body.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -11,18 +11,17 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// An order in which links come in colours: no two links of a colour share a node. In mesh order each link
-// would hand on what the one before it did, and hard links blow up.
+// Sorts links by graph colouring: no two links of a colour share a node. In mesh order each link passes on
+// the correction of the link before it, and stiff links diverge.
 // @param links  the two nodes of each link
-// @return for each place in the order, the index of the link that goes there; links that come in colours
-// already
-//         keep their places
+// @return for each position in the new order, the index of the link; links that are already sorted by colour
+//     keep their positions
 std::vector<int> colouredOrder(const std::vector<std::array<int, 2>>& links, int nodes);
 
-// Puts the link that is at order[i] at i, with all that belongs to it.
+// Moves the link at order[i] to index i, with all its data.
 void reorderLinks(btSoftBody& body, const std::vector<int>& order);
 
-// The order that undoes another.
+// The inverse permutation.
 std::vector<int> inverseOrder(const std::vector<int>& order);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -20,7 +20,7 @@ const Eigen::Vector3d& position(const TriangleMesh& mesh, int node) {
     return mesh.vertices[static_cast<std::size_t>(node)];
 }
 
-// Whether two triangles are the halves of a cell that their edge cuts from corner to corner.
+// Whether two triangles are the halves of a quad, and their common edge is its diagonal.
 bool isDiagonal(const TriangleMesh& mesh, const NodePair& edge, const NodePair& apices) {
     constexpr double longer = 1.1, flat = 0.9;  // cosine of the angle between the two halves
     const Eigen::Vector3d along = position(mesh, edge[1]) - position(mesh, edge[0]);
@@ -34,7 +34,7 @@ bool isDiagonal(const TriangleMesh& mesh, const NodePair& edge, const NodePair& 
     return -normals[0].dot(normals[1]) > flat;
 }
 
-// The second diagonals of cells, without those that join nodes which a link joins already.
+// The second diagonals of quads, except those between nodes that are already linked.
 std::set<NodePair> secondDiagonals(const TriangleMesh& mesh, const MeshEdges& edges) {
     std::set<NodePair> diagonals;
     for (std::size_t edge = 0; edge < edges.size(); ++edge) {
@@ -78,7 +78,7 @@ btScalar meanLinkLength(const btSoftBody& body) {
     return total / btScalar(body.m_links.size());
 }
 
-// Fine enough for the sheet to touch things where it is.
+// Fine enough for accurate contacts.
 void setContactSizes(btSoftBody& body, btSoftBodyWorldInfo& worldInfo) {
     const btScalar length = meanLinkLength(body);
     body.getCollisionShape()->setMargin(std::min(length / 4, btScalar(0.02)));

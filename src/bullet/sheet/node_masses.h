@@ -1,4 +1,4 @@
-// Writes the mass of cloth and water into a body's nodes.
+// Writes the mass of cloth and water to a body's nodes.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -13,25 +13,26 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Water that has reached a node since the last substep.
+// Water that has arrived at a node since the last substep.
 struct Arrival {
-    double carried = 0;                       // kg that move with the node, whatever its velocity
-    double mass = 0;                          // kg that came with a velocity of their own
-    btVector3 momentum = btVector3(0, 0, 0);  // of these, kg m/s
+    double carried = 0;                       // water that moves with the node, kg
+    double mass = 0;                          // water with a velocity of its own, kg
+    btVector3 momentum = btVector3(0, 0, 0);  // of that water, kg m/s
 };
 
-// Lets each free node take up the momentum of the water that arrived: v <- (m v + dm u) / (m + dm). Water
-// that leaves takes its own momentum along, so a node that only loses mass keeps its velocity. Empties
+// Each unpinned node takes up the momentum of the water that arrived: v <- (m v + dm u) / (m + dm). Water
+// that leaves takes its own momentum with it, so a node that only loses mass keeps its velocity. Clears
 // `arrivals`.
-// @param masses  of the nodes before the water came, kg
+// @param masses  of the nodes before the water arrived, kg
 void takeUpMomentum(btSoftBody& body, const std::vector<double>& masses, std::vector<Arrival>& arrivals);
 
 // Sets inverse masses; pins stay pins.
 void writeMasses(btSoftBody& body, const std::vector<double>& masses);
 
-// Gives a new body the mass of cloth alone: of each face, as its nodes are now, a third to each of its nodes.
-// @tparam Sum   in which masses are added up
-// @param check  is called with the index and the area, m2, of each face, and throws for one that will not do
+// Gives a new body the mass of dry cloth: a third of each face, in the present positions, to each of its
+// nodes.
+// @tparam Sum   type in which masses are added up
+// @param check  called with the index and the area, m2, of each face; throws for an unsuitable one
 template <typename Sum, typename Check>
 void writeClothMasses(btSoftBody& body, Sum arealDensity, Check check) {
     std::vector<Sum> masses(static_cast<std::size_t>(body.m_nodes.size()), Sum(0));

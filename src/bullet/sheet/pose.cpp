@@ -37,7 +37,7 @@ bool Pose::gather(const btSoftBody& body, const ClothMesh& mesh) {
         fastest.setMax(velocity.absolute());
         lightest = node.m_im < lightest ? node.m_im : lightest;
         const btVector3 all = node.m_x + velocity + node.m_f;
-        sum += (all.x() + all.y() + all.z() + node.m_im) * 0;  // NaN for what is not finite
+        sum += (all.x() + all.y() + all.z() + node.m_im) * 0;  // NaN if a value is not finite
     }
     const bool isSound = sum == 0 && lightest >= 0 &&
                          double(farthest[farthest.maxAxis()]) <= farthestPosition &&

@@ -1,4 +1,4 @@
-// Where a sheet is, as the water wants to know it.
+// Positions and velocities of a sheet, in the form that the water and the fluid forces use.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -18,28 +18,28 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 struct Pose {
     explicit Pose(const ClothMesh& mesh);
 
-    // Reads gravity and, in one pass over Bullet's nodes, of which each takes four cache lines, what each
-    // substep needs of them.
-    // @return whether all positions, velocities, forces and inverse masses are such that one can calculate with
-    //     them; if not, places are those of the last time that they were
+    // Reads gravity and all node data that a substep needs, in a single pass over Bullet's nodes, each of
+    // which takes four cache lines.
+    // @return whether all positions, velocities, forces and inverse masses are finite and in range; if not,
+    //     positions are the last valid ones
     bool gather(const btSoftBody& body, const ClothMesh& mesh);
-    // Where the nodes are, in the world, m.
+    // Positions of the nodes in the world, m.
     std::vector<btVector3> positionsInWorld() const;
-    // Reads positions and velocities once more, for sources.
+    // Reads positions and velocities again, for sources.
     void gatherMotion(const btSoftBody& body);
 
-    btVector3 origin = btVector3(0, 0, 0);  // of the places, m: the first node
+    btVector3 origin = btVector3(0, 0, 0);  // of the relative positions, m: the first node
     std::vector<PackedVector>
-        relativePositions;             // m, from there, so that far from the world's origin digits are kept
+        relativePositions;             // from the origin, m; precise also far from the world's origin
     std::vector<PackedVector> speeds;  // m/s
-    std::vector<float> heights;        // m, of places along `up`
-    Eigen::Vector3d meanVelocity = Eigen::Vector3d::Zero();  // of the cloth, by its nodes' areas, m/s
+    std::vector<float> heights;        // of the nodes along `up`, m
+    Eigen::Vector3d meanVelocity = Eigen::Vector3d::Zero();  // mean over the area of the cloth, m/s
 
-    Eigen::Vector3d up = Eigen::Vector3d::Zero();   // against gravity; zero without
+    Eigen::Vector3d up = Eigen::Vector3d::Zero();   // opposite to gravity; zero without gravity
     double gravity = 0;                             // m/s2
     std::vector<Eigen::Vector3d> positions;         // m
     std::vector<Eigen::Vector3d> velocities;        // m/s
-    std::vector<std::vector<int>> trianglesAround;  // indices, of each node
+    std::vector<std::vector<int>> trianglesAround;  // indices of the triangles around each node
 
   private:
     std::vector<PackedVector> newRelativePositions_;

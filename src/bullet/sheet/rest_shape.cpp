@@ -102,7 +102,7 @@ std::vector<Eigen::Vector2d> flattened(const btSoftBody& body) {
 
 std::vector<Eigen::Vector2d> nodeCoordinates(const ClothMesh& mesh) {
     std::vector<Eigen::Vector2d> coordinates(mesh.size(), Eigen::Vector2d::Zero());
-    for (std::size_t t = mesh.triangles.size(); t-- > 0;)  // so that the first face has the last word
+    for (std::size_t t = mesh.triangles.size(); t-- > 0;)  // so that the first face determines the value
         for (std::size_t corner = 0; corner < 3; ++corner)
             coordinates[static_cast<std::size_t>(mesh.triangles[t][corner])] = mesh.coordinates[t][corner];
     return coordinates;

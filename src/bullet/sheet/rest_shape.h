@@ -16,19 +16,19 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 struct RestShape {
     std::vector<std::array<int, 3>> triangles;
     std::vector<double> triangleAreas;  // m2
-    std::vector<double> nodeAreas;      // m2, a third of the triangles around
+    std::vector<double> nodeAreas;      // m2, a third of the triangles around the node
     std::vector<LinkNodes> links;
     std::vector<btScalar> restLengths;  // m, of each link
 };
 
-// How many nodes, links and faces there are.
+// Numbers of nodes, links and faces.
 using PartCounts = std::array<int, 3>;
 
 inline PartCounts countsOf(const btSoftBody& body) {
     return {body.m_nodes.size(), body.m_links.size(), body.m_faces.size()};
 }
 
-// Whether the body has as many as it had.
+// Whether the body has the same numbers as the shape.
 inline bool hasCountsOf(const btSoftBody& body, const RestShape& shape) {
     return countsOf(body) == PartCounts{static_cast<int>(shape.nodeAreas.size()),
                                         static_cast<int>(shape.links.size()),
@@ -40,35 +40,35 @@ inline int indexOf(const btSoftBody& body, const btSoftBody::Node* node) {
     return static_cast<int>(node - &body.m_nodes[0]);
 }
 
-// Area of a face as its nodes are now, m2.
+// Area of a face in the present positions, m2.
 btScalar areaOf(const btSoftBody::Face& face);
 
-// What Bullet does at the first step of a body that waits to be primed, now: rest lengths, link constants
-// and areas from the shape as it is. Does nothing for any other body.
+// Primes a body that waits for it, as Bullet does in its first step: computes rest lengths, link constants
+// and areas from the present shape. Does nothing for other bodies.
 void prime(btSoftBody& body);
 
-// Sets the links' rest lengths, times the body's scale.
+// Sets the rest lengths of the links, times the body's rest length scale.
 void writeRestLengths(btSoftBody& body, const RestShape& shape);
 
-// Makes the face tree that soft-soft contacts, and all in the deformable world, need, if it is not there. Bullet makes
-// it while it primes a body, if it comes to an end.
+// Makes the face tree, which contacts of soft bodies and all contacts in the deformable world need, if it
+// does not exist. Bullet makes it when it primes a body, in quadratic time.
 void keepFaceTree(btSoftBody& body);
 
-// The same, and makes Bullet forget a request to prime the body again, which setMass leaves behind and which would take
-// the stretched links of the moment for rest.
+// The same, and cancels a request to prime the body again. setMass leaves such a request behind, which would
+// make the present, stretched lengths the rest lengths.
 void keepPrimed(btSoftBody& body, const RestShape& shape);
 
-// Read from what Bullet keeps, or, for a body that still waits to be primed, from where its nodes are.
-// Changes nothing.
+// Reads the rest shape from Bullet's values or, for a body that still waits to be primed, from the present
+// positions. Changes nothing.
 RestShape restShapeOf(const btSoftBody& body);
 
-// The cloth of a body as it is cut, from the material coordinates of its nodes.
+// The cloth of a body after a cut, from the material coordinates of its nodes.
 ClothMesh clothMesh(const RestShape& shape, const std::vector<Eigen::Vector2d>& nodeCoordinates);
 
-// Material coordinates of each node, m; of a node on a seam, those in the first of its faces.
+// Material coordinates of each node, m; for a node on a seam those in the first of its faces.
 std::vector<Eigen::Vector2d> nodeCoordinates(const ClothMesh& mesh);
 
-// The nodes flattened onto the sheet's best plane, u along its first link.
+// The positions of the nodes projected onto their best-fit plane, with u along the first link.
 std::vector<Eigen::Vector2d> flattened(const btSoftBody& body);
 
 }  // namespace DRENCH_BULLET_NAMESPACE

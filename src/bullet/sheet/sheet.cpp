@@ -60,12 +60,13 @@ std::vector<btVector3> positionsOf(const Corners& c, const Grid& grid) {
     return positions;
 }
 
-// Bullet puts one node after the other into its tree, which row by row gets ever deeper: a million nodes take minutes.
-// So they come in a random order, after which nodes and leaves are put back in theirs.
+// Bullet inserts the nodes into its tree one after the other. In row order the tree becomes very deep: a
+// million nodes take minutes. So nodes are inserted in a random order, and then nodes and leaves are moved
+// back to their own order.
 std::unique_ptr<btSoftBody> bodyOfNodes(btSoftBodyWorldInfo& worldInfo,
                                         const std::vector<btVector3>& positions) {
     std::vector<int> order(positions.size());
-    std::minstd_rand random;  // the same with every standard library, as a shuffle of theirs is not
+    std::minstd_rand random;  // gives the same order with every standard library
     for (std::size_t i = 0; i < order.size(); ++i) {
         order[i] = static_cast<int>(i);
         std::swap(order[i], order[random() % (i + 1)]);
@@ -100,7 +101,7 @@ void appendFaces(btSoftBody& body, const Grid& grid) {
         }
 }
 
-// A warp link comes first: `WetCloth` takes the first link for the direction of the warp.
+// A warp link must be first: `WetCloth` takes the direction of the first link as the warp.
 std::vector<PlannedLink> planLinks(const Grid& grid) {
     std::vector<PlannedLink> links;
     const auto add = [&](int i, int j, int di, int dj, bool bending) {
@@ -127,7 +128,7 @@ void appendLinks(btSoftBody& body, const Grid& grid) {
     for (const int i : colouredOrder(nodes, grid.size())) {
         const PlannedLink& link = planned[static_cast<std::size_t>(i)];
         body.appendLink(link.a, link.b);
-        if (link.bending) body.m_links[body.m_links.size() - 1].m_bbending = -1;  // a signed bit
+        if (link.bending) body.m_links[body.m_links.size() - 1].m_bbending = -1;  // a signed bit field
     }
 }
 
@@ -184,7 +185,7 @@ std::vector<std::array<Eigen::Vector2d, 3>> wrappedCoordinates(const btSoftBody&
             corners[corner] = toEigen(face.m_n[corner]->m_x - face.m_n[0]->m_x);
         const Eigen::Vector3d normal = corners[1].cross(corners[2]).normalized();
         Eigen::Vector3d weft = along - normal * normal.dot(along);
-        constexpr double square = 1e-3;  // the axis stands square on the face
+        constexpr double square = 1e-3;  // sine below which the axis counts as perpendicular to the face
         if (weft.norm() < square) weft = corners[1];
         weft.normalize();
         const Eigen::Vector3d warp = weft.cross(normal);

@@ -1,4 +1,4 @@
-// A sheet as whatever moves it needs to know it: its cloth at rest, and what water has made of it.
+// Mechanical properties of a sheet for the solvers: its cloth at rest, and the effect of its water.
 #pragma once
 
 #include <memory>
@@ -19,39 +19,39 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 struct MovingSheet;
 
-// Made by the layer, evaluated at the start of each substep, read by the solvers.
+// Created by the layer, evaluated at the start of each substep, read by the solvers.
 struct SheetMechanics {
     SheetMechanics(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh);
 
-    // Reads masses and the ratios of the wet laws off the water.
+    // Computes masses and the wet-to-dry ratios from the water.
     void evaluate(const WetLaws& laws, const Moisture& moisture);
-    // Stiffness of a link as of this substep, N/m.
+    // Present stiffness of a link, N/m.
     double stiffness(std::size_t link) const;
-    // Becomes that of the same cloth, cut. @pre `evaluate` before anything else
+    // Adapts to the cloth after a cut. @pre `evaluate` must be called before any other use
     void recut(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh);
 
     RestShape shape;
     ClothMesh mesh;
     double stretch;          // stretch stiffness of the dry cloth, mean of warp and weft, N/m
     double bending;          // bending rigidity of the dry cloth, N m
-    double bendingFriction;  // of the dry cloth, N
+    double bendingFriction;  // bending friction of the dry cloth, N
     std::vector<LinkStiffness> dryStiffness;
     Friction sheetFriction;
 
-    // Of each node, as of this substep.
+    // For each node, in this substep.
     std::vector<double> masses;                 // kg
     std::vector<double> saturations;            // of the pores, 0 to 1
-    std::vector<double> stretchRatios;          // wet over dry
-    std::vector<double> bendingRatios;          // wet over dry
-    std::vector<double> bendingFrictionRatios;  // wet over dry
+    std::vector<double> stretchRatios;          // ratio of wet to dry
+    std::vector<double> bendingRatios;          // ratio of wet to dry
+    std::vector<double> bendingFrictionRatios;  // ratio of wet to dry
 
-    // Of a SmallStepSolver, once one has met the sheet.
+    // Set by a SmallStepSolver, once it has found the sheet.
     std::shared_ptr<MovingSheet> moving;
     bool movedBySmallSteps = false;  // in the last substep
     int smallSteps = 0;              // of the last substep
-    int heldSubsteps = 0;            // that came to nothing finite
-    int heldNode = -1;               // with which the last of them did
-    bool fits = true;                // whether the body still is this cloth; if not, Drench lets it be
+    int heldSubsteps = 0;            // substeps that were held because the result was not finite
+    int heldNode = -1;               // first invalid node in the last of them
+    bool fits = true;                // whether the body has this topology
 
     StepTimes times;
 };

@@ -23,7 +23,7 @@ void meanOf(float* mean, const Node& a, const Node& b, const Node& c) {
     mean[2] = (a.z + b.z + c.z) * third;
 }
 
-// Force of the fluid on a third of a face; see the wide form.
+// Force of the fluid on a third of a face; the vectorised form is in fluid_kernels_wide.h.
 void pushFace(FluidForce* forces, const FaceBlock& block, const PackedVector* positions,
               const PackedVector* velocities, const OtherAcceleration* accelerations, const FluidNode* fluid,
               const FluidLaws& laws, std::size_t lane) {

@@ -1,4 +1,4 @@
-// The forces of air and water on eight faces at a time.
+// Forces of air and water on eight faces at a time.
 #pragma once
 
 #include "bullet/simd/fluid_kernels.h"
@@ -21,11 +21,12 @@ DRENCH_INLINE void mean(Vector& v, Eight& fourth, const Node* nodes, const FaceB
     transpose(v, fourth, sums);
 }
 
-// Forces at the end of the substep. Across a face of mass m, with m' of water that moves along now and m" of
-// it that did before, u' is the speed there and v what is left of it after the leak: u' = v + k c v^2 (k the
-// permeability), and (m + m') u' + A c v^2 dt = (m + m") u + m a dt, a quadratic equation for v; along the
-// face there is neither leak nor water that moves along. So the force may stop the relative motion but not
-// turn it, and it is right where nothing changes: when falling steadily, and when held in the wind.
+// Forces at the end of the substep. For motion normal to a face of mass m, with m' the present added mass and
+// m" the previous one, u' is the relative speed at the end and v the part of it that remains after the flow
+// through the cloth: u' = v + k c v^2 (k the permeability), and (m + m') u' + A c v^2 dt = (m + m") u + m a
+// dt, a quadratic equation for v. Along the face there is neither flow through the cloth nor added mass. So
+// the force may stop the relative motion but not reverse it, and it is exact in steady states: in steady
+// fall, and when held in the wind.
 static void pushByFluid(FluidForce* forces, const FaceBlock* blocks, const PackedVector* positions,
                         const PackedVector* velocities, const OtherAcceleration* accelerations,
                         const FluidNode* fluid, const FluidLaws& laws, std::size_t count) {
@@ -61,7 +62,7 @@ static void pushByFluid(FluidForce* forces, const FaceBlock* blocks, const Packe
         squareRoot(size);
         Eight root = both * both + 4 * size * (both * permeability + area * dt) * pressure;
         squareRoot(root);
-        const Eight perMomentum = 2 / (both + root + tiny);  // the speed that is left
+        const Eight perMomentum = 2 / (both + root + tiny);  // the speed that remains
         const Eight dragAcross = area * pressure * perMomentum * perMomentum * size * momentum;
         const Eight byAcross =
             -third * mass / (both + tiny) * (dragAcross + added * pulled + (both - before) * through / dt);

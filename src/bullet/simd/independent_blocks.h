@@ -1,4 +1,4 @@
-// Puts elements that share no node side by side, so that a loop may work on a whole block of them at once.
+// Groups elements that share no node into blocks, so that a loop can process a whole block at once.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 
 namespace drench {
 
-// Indices of elements, -1 where a place stays empty.
+// Indices of elements; -1 for unused lanes.
 using IndependentBlock = std::array<int, blockWidth>;
 
-// Blocks in which no two elements share a node. Elements come in tiles of neighbouring nodes, so that a sweep
-// finds them in the cache, and within a tile in colours, which also keeps the sweep stable.
-// @param elements  the nodes of each element; negative ones do not count
+// Blocks in which no two elements share a node. Elements are grouped in tiles of neighbouring nodes, so that
+// a sweep finds them in the cache, and within a tile by graph colouring, which also keeps the sweep stable.
+// @param elements  the nodes of each element; negative ones are ignored
 template <std::size_t Nodes>
 std::vector<IndependentBlock> independentBlocks(const std::vector<std::array<int, Nodes>>& elements,
                                                 std::size_t nodes) {

@@ -1,4 +1,4 @@
-// Compiled for AVX2 and FMA; called only where the processor has them.
+// Compiled for AVX2 and FMA; called only if the processor supports them.
 #include "bullet/simd/fluid_kernels_wide.h"
 #include "bullet/simd/small_step_kernels_wide.h"
 

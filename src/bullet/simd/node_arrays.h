@@ -1,4 +1,4 @@
-// Packed nodes as Eigen's arrays of four, which the processor takes at once.
+// Packed nodes as Eigen arrays of four numbers, which the processor handles at once.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// Nodes as the hot loops read them: four numbers side by side, which the processor takes at once.
+// Nodes as the inner loops read them: four adjacent numbers, which the processor handles at once.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@ struct alignas(16) PackedVector {
     float x, y, z, unused;
 };
 
-// How far a node has come since the substep began, m, and its inverse mass, 1/kg. Displacements stay small,
-// so that single precision resolves what gravity adds in the shortest step.
+// Displacement of a node since the start of the substep, m, and its inverse mass, 1/kg. Displacements are
+// small, so single precision resolves what gravity adds in the shortest step.
 struct alignas(16) MovingNode {
     float x, y, z, inverseMass;
 };
 
-// So many elements of a mesh are calculated at once; no two of a block share a node.
+// Number of elements of a mesh that are processed at once; no two elements of a block share a node.
 inline constexpr std::size_t blockWidth = 8;
 
 }  // namespace drench

@@ -1,4 +1,4 @@
-// What the hot loops for any processor share.
+// Functions that the scalar inner loops share.
 #pragma once
 
 #include <cmath>

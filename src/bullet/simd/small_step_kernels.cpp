@@ -85,7 +85,7 @@ Components curvature(const MovingNode* nodes, const PlateBlock& block, const Pla
     return sum;
 }
 
-// @param masses  where the nodes' inverse masses are
+// @param masses  positions whose inverse masses are used
 void takeBack(MovingNode* nodes, const MovingNode* masses, const Components& components,
               const PlateBlock& block, const PlateWeights& weights, std::size_t lane) {
     for (std::size_t k = 0; k < 6; ++k) {

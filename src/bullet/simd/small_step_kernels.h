@@ -1,4 +1,4 @@
-// The hot loops of the small steps: once for any processor, and once eight at a time.
+// Inner loops of the small steps: scalar, and for eight elements at a time.
 #pragma once
 
 #include <cstddef>
@@ -8,21 +8,21 @@
 
 namespace drench {
 
-// Wet over dry, of the cloth around a node.
+// Ratios of wet to dry properties of the cloth around a node.
 struct alignas(16) NodeRatios {
     float stretch, bending, bendingFriction, unused;
 };
 
-// Eight links. Places that are not used stand between the spare node and itself.
+// Eight links. Unused lanes link the spare node to itself.
 struct alignas(32) LinkBlock {
     std::int32_t first[blockWidth], second[blockWidth];
-    float alongX[blockWidth], alongY[blockWidth], alongZ[blockWidth];  // as the substep began, m
+    float alongX[blockWidth], alongY[blockWidth], alongZ[blockWidth];  // at the start of the substep, m
     float restLength[blockWidth];                                      // m
     float firstFraction[blockWidth],
-        secondFraction[blockWidth];  // of a stretch that the nodes take back, 0 to 1
+        secondFraction[blockWidth];  // fraction of the stretch that each node corrects, 0 to 1
 };
 
-// Weights of eight plates: of the positions of six nodes in three components of the curvature, 1/m2.
+// Weights of eight plates: of the positions of six nodes, for three components of the curvature, 1/m2.
 struct alignas(32) PlateWeights {
     float of[3][6][blockWidth];
 };
@@ -30,33 +30,33 @@ struct alignas(32) PlateWeights {
 // Eight plates.
 struct alignas(32) PlateBlock {
     std::int32_t nodes[6][blockWidth];
-    float fraction[3]
-                  [blockWidth];  // of each component that is taken back, over the weights and inverse masses
-    std::int32_t weights;        // which of the weights
+    float fraction[3][blockWidth];  // corrected fraction of each component, over weights and inverse masses
+    std::int32_t weights;           // index of the weights
 };
 
-// What eight plates need once a substep.
+// Values of eight plates that are needed once per substep.
 struct alignas(32) PlateState {
     float area[blockWidth];     // m2
-    float slid[3][blockWidth];  // curvature at which friction rests, 1/m
+    float slid[3][blockWidth];  // curvature at which the friction moment is 0, 1/m
 };
 
 // Bending of the dry cloth.
 struct PlateLaws {
     float bending;            // bending rigidity, N m
     float frictionLimit;      // moment per width at which bending friction slides, N
-    float frictionStiffness;  // bending rigidity of friction that holds, over that of the cloth
+    float frictionStiffness;  // stiffness of sticking friction over the bending rigidity of the cloth
 };
 
-// How plates are divided in time. Cloth is so soft to bend that its moments may stand for several small steps.
+// Division of bending in time. Cloth is so soft in bending that its moments may be kept for several small
+// steps.
 struct PlateTimes {
     float smallStep;  // s
-    float every;      // so many small steps
+    float every;      // number of small steps between evaluations
 };
 
-// The constant by which a link's stretch is divided before its nodes take it back: w for hard links, w / 2 + 1
-// / (k h^2) for those that a sweep resolves, w the sum of inverse masses; see link_constants.h. Between two
-// pins 1, as nothing moves.
+// The constant by which the stretch of a link is divided before its nodes correct it: w for stiff links, w /
+// 2 + 1 / (k h^2) for links that one sweep resolves, with w the sum of the inverse masses; see
+// link_constants.h. 1 between two pins, where nothing moves.
 // @param compliance  1 / (k h^2), 1/kg
 static inline float linkDivisor(float inverseMass, float compliance) {
     const float soft = 0.5f * inverseMass + compliance;
@@ -64,12 +64,12 @@ static inline float linkDivisor(float inverseMass, float compliance) {
     return constant > 0 ? constant : 1;
 }
 
-// The share of a component of the curvature that a plate takes back, after the same rule. All three
-// components at once must not take back more than there is, hence the sum of their responses as the limit.
+// The fraction of a component of the curvature that a plate corrects, by the same rule. The three components
+// together must not correct more than the whole curvature, so the limit is the sum of their responses.
 // @param response     of this component to its own moment, the sum of inverse masses x squared weights
 // @param all          the sum of the three responses
-// A plate whose moments stand for n small steps moves its nodes in each of them by the n-th part of the n-th
-// part of what would put it right: n steps of so much more speed each come to the whole.
+// A plate whose moments are kept for n small steps moves its nodes in each of them by 1 / n^2 of the complete
+// correction: the correction accumulates as a velocity, so n steps add up to the whole.
 // @param compliance   1 / (rigidity x area x (n h)^2)
 static inline float plateFraction(float response, float all, float compliance, float every) {
     const float soft = 0.5f * response + compliance;
@@ -79,38 +79,39 @@ static inline float plateFraction(float response, float all, float compliance, f
 struct SmallStepKernels {
     const char* name;
 
-    // Goes on for one small step: what corrections have added to the steps of the nodes since the last one
-    // stays with them, so `steps` <- (steps + moved - predicted) x keep + push and moved, predicted <-
-    // moved + steps. (The difference of two positions would bring their rounding into the velocity.)
-    // @param steps  m a small step; its inverse masses, and those of push, are 0
+    // Advances by one small step. What corrections have added to the displacement of the nodes since the last
+    // step stays in their velocity: `steps` <- (steps + moved - predicted) x keep + push; moved, predicted <-
+    // moved + steps. (Computing the velocity from the difference of two positions would add their rounding
+    // errors to it.)
+    // @param steps  m per small step; its inverse masses, and those of push, are 0
     void (*advance)(MovingNode* moved, MovingNode* predicted, MovingNode* steps, const MovingNode* push,
                     float keep, std::size_t count);
 
-    // Reads off what the links need for this substep.
+    // Computes the values of the links for this substep.
     // @param start           positions, m
     // @param dry             stiffness of the dry cloth, N/m, of each link in the order of the blocks
     // @param smallStepSquared  s2
     void (*prepareLinks)(LinkBlock* blocks, const float* dry, const MovingNode* start,
                          const NodeRatios* ratios, float smallStepSquared, std::size_t count);
 
-    // One sweep over links: each takes back its stretch as far as its shares say.
+    // One sweep over the links: the nodes of each correct its stretch by their fractions.
     void (*solveLinks)(MovingNode* moved, const LinkBlock* blocks, std::size_t count);
 
-    // Reads off what the plates need for this substep; lets bending friction slide; and adds to `push` what
-    // the curvature at the start asks for in each small step.
+    // Computes the values of the plates for this substep, lets bending friction slide, and adds the
+    // correction of the curvature at the start of the substep to `push`, for each small step.
     void (*preparePlates)(MovingNode* push, PlateBlock* blocks, PlateState* states,
                           const PlateWeights* weights, const PlateLaws& laws, const MovingNode* start,
                           const NodeRatios* ratios, const PlateTimes& times, std::size_t count);
 
-    // Each plate moves nodes of `to` against what its curvature has changed at `from` since the substep
-    // began; both may be the same.
+    // Each plate moves the nodes of `to` against the change of its curvature at `from` since the start of the
+    // substep; both may be the same array.
     void (*solvePlates)(MovingNode* to, const MovingNode* from, const PlateBlock* blocks,
                         const PlateWeights* weights, std::size_t count);
 };
 
-// For any processor.
+// Scalar version, for any processor.
 const SmallStepKernels& scalarKernels();
-// The fastest that this processor has.
+// The fastest version that this processor supports.
 const SmallStepKernels& bestKernels();
 
 }  // namespace drench

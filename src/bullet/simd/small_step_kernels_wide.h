@@ -1,4 +1,4 @@
-// The hot loops of the small steps, eight links or plates at a time.
+// Inner loops of the small steps, for eight links or plates at a time.
 #pragma once
 
 #include "bullet/simd/small_step_kernels.h"
@@ -30,7 +30,7 @@ static void prepareLinks(LinkBlock* blocks, const float* dry, const MovingNode* 
         eight(block.alongX) = to.x - from.x;
         eight(block.alongY) = to.y - from.y;
         eight(block.alongZ) = to.z - from.z;
-        Eight stiffness;  // from an array that need not begin at a multiple of 32 bytes
+        Eight stiffness;  // from an array that need not be aligned to 32 bytes
         __builtin_memcpy(&stiffness, dry + i * blockWidth, sizeof stiffness);
         stiffness *= 0.5f * (fromRatios.x + toRatios.x);
         const Eight compliance = 1 / (stiffness * smallStepSquared);
@@ -85,7 +85,7 @@ DRENCH_INLINE void curvature(Vector* components, Eight* inverseMass, const Movin
     }
 }
 
-// Moves six nodes against what is left of the components.
+// Moves six nodes by the remaining correction of the components.
 DRENCH_INLINE void takeBack(MovingNode* nodes, const Vector* components, const Eight* inverseMass,
                             const PlateBlock& block, const PlateWeights& weights) {
     Vector fractions[3];
@@ -135,7 +135,7 @@ DRENCH_INLINE void unitNormal(Vector& normal, const MovingNode* start, const Pla
     normal.z /= length;
 }
 
-// Moments of friction, N; slides where they pass the limit.
+// Friction moments, N; friction slides where they exceed the limit.
 DRENCH_INLINE void slide(Eight* moments, PlateState& state, const Eight* bent, const Eight& stiffness,
                          const Eight& limit) {
     constexpr float tiny = 1e-30f;
@@ -149,13 +149,13 @@ DRENCH_INLINE void slide(Eight* moments, PlateState& state, const Eight* bent, c
     Eight holds = limit / size;
     for (std::size_t lane = 0; lane < blockWidth; ++lane) holds[lane] = holds[lane] < 1 ? holds[lane] : 1;
     for (std::size_t m = 0; m < 3; ++m) {
-        // What the friction no longer holds has slid: the curvature at which it rests follows.
+        // Where friction slides, the curvature of zero friction moment follows.
         eight(state.slid[m]) = bent[m] - (bent[m] - eight(state.slid[m])) * holds;
         moments[m] *= holds;
     }
 }
 
-// Shares of the components that one sweep takes back; see plateFraction.
+// Fractions of the components that one sweep corrects; see plateFraction.
 DRENCH_INLINE void share(PlateBlock& block, const PlateWeights& weights, const Eight* inverseMass,
                          const Eight& compliance, float every) {
     Eight response[3], all = {};

@@ -1,5 +1,5 @@
-// Vectors of eight nodes, in GCC's and Clang's vector types. Compiled once for each instruction set: all of it is
-// inlined or internal to a file, so that nothing leaks from one to the other.
+// Vectors of eight nodes, in the vector types of GCC and Clang. Compiled once for each instruction set:
+// everything is inlined or internal to a file, so that the versions do not mix.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct Vector {
 
 #define DRENCH_INLINE static inline __attribute__((always_inline))
 
-// The four numbers of a node, of whatever kind.
+// The four numbers of a node.
 template <typename Node>
 DRENCH_INLINE Four& four(Node& node) {
     static_assert(sizeof(Node) == sizeof(Four));
@@ -50,7 +50,7 @@ DRENCH_INLINE void putPair(Node& low, Node& high, const Eight& both) {
     four(high) = __builtin_shufflevector(both, both, 4, 5, 6, 7);
 }
 
-// Turns four pairs of nodes, each k and k + 4, into eight of each component.
+// Transposes four pairs of nodes, k and k + 4, into eight values of each component.
 DRENCH_INLINE void transpose(Vector& v, Eight& fourth, const Eight* pairs) {
     const Eight xyLow = __builtin_shufflevector(pairs[0], pairs[1], 0, 8, 1, 9, 4, 12, 5, 13);
     const Eight zwLow = __builtin_shufflevector(pairs[0], pairs[1], 2, 10, 3, 11, 6, 14, 7, 15);
@@ -62,7 +62,7 @@ DRENCH_INLINE void transpose(Vector& v, Eight& fourth, const Eight* pairs) {
     fourth = __builtin_shufflevector(zwLow, zwHigh, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
-// Reads eight nodes, a component at a time.
+// Reads eight nodes, one component at a time.
 template <typename Node>
 DRENCH_INLINE void load(Vector& v, Eight& fourth, const Node* nodes, const std::int32_t* index) {
     Eight pairs[4];
@@ -76,7 +76,7 @@ DRENCH_INLINE void addPair(Node& low, Node& high, const Eight& both) {
     four(high) += __builtin_shufflevector(both, both, 4, 5, 6, 7);
 }
 
-// Adds a vector to each of eight different nodes, whose fourth numbers stay.
+// Adds a vector to each of eight different nodes; their fourth numbers are kept.
 template <typename Node>
 DRENCH_INLINE void add(Node* nodes, const std::int32_t* index, const Vector& v) {
     const Eight zero = {};
@@ -93,7 +93,7 @@ DRENCH_INLINE void add(Node* nodes, const std::int32_t* index, const Vector& v) 
             __builtin_shufflevector(xyHigh, zHigh, 2, 3, 10, 11, 6, 7, 14, 15));
 }
 
-// Stores the sum of eight nodes as they were read and what is to be added, a component at a time.
+// Stores the sum of eight nodes as they were read and the added vectors, one component at a time.
 template <typename Node>
 DRENCH_INLINE void store(Node* nodes, const std::int32_t* index, const Eight* read, const Vector& v) {
     const Eight zero = {};

@@ -1,4 +1,4 @@
-// A sheet that small steps move, with what it meets, while a substep lasts.
+// A sheet with its contacts, while small steps move it within a substep.
 #pragma once
 
 #include "bullet/small_steps/sheet_anchors.h"
@@ -13,7 +13,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 struct MovingSheet {
     explicit MovingSheet(const SheetMechanics& mechanics) : cloth(mechanics, bestKernels()) {}
 
-    const btSoftBody::Node* nodes = nullptr;  // where Bullet had them as the substep began
+    const btSoftBody::Node* nodes = nullptr;  // address of Bullet's array at the start of the substep
     SmallStepSheet cloth;
     SolidContacts contacts;
     SheetAnchors anchors;

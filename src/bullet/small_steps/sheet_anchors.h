@@ -1,4 +1,4 @@
-// Nodes of a sheet that are tied to solids.
+// Anchors between nodes of a sheet and solids.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -15,20 +15,20 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 // The anchors of a body (btSoftBody::appendAnchor), solved in each small step.
 class SheetAnchors {
   public:
-    // Takes up the solids of the body's anchors.
+    // Reads the anchors of the body, and adds their solids.
     void find(const btSoftBody& body, Solids& solids);
-    // Places them for the substep, and takes nodes to where they are tied, without a velocity of their own: a
-    // solid that cloth has pushed is then elsewhere than the substep before has left it.
+    // Computes the anchor points for the substep, and moves nodes to them without changing their velocity,
+    // because a solid that cloth has pushed is at another position than at the end of the previous substep.
     void begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids);
     void solve(SmallStepSheet& sheet, Solids& solids) const;
 
   private:
     struct Tie {
         std::size_t solid;
-        int anchor;  // of the body
+        int anchor;  // index in the body
         int node;
         btVector3 arm;   // from the solid's centre of mass, in the middle of the substep
-        btVector3 from;  // from the node at its start to there, m
+        btVector3 from;  // from the node to the anchor point at the start, m
         btScalar influence;
     };
     std::vector<Tie> ties_;

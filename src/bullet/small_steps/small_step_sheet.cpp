@@ -25,10 +25,10 @@ btVector3 limited(btVector3 v, btScalar max) {
     return v;
 }
 
-// Collects weights of plates, few on a regular mesh, where the same come again and again.
+// Collects the weights of plates. On a regular mesh the same few weights occur again and again.
 class WeightTable {
   public:
-    // Index of a plate's weights among those met so far, to four digits.
+    // Index of the weights of a plate among those found so far, compared to four digits.
     int classOf(const PlateElement& plate) {
         double largest = 0;
         for (const auto& component : plate.weights)
@@ -66,8 +66,8 @@ class WeightTable {
     std::map<std::array<int, blockWidth>, int> blocks_;
 };
 
-// How much the curvature of a plate gives way to its own moment, times areal density, 1/m4, of most of them: a
-// few poor triangles should not set the step of all.
+// Response of the curvature of a plate to its own moment, times areal density, 1/m4: a value that most plates
+// do not exceed, because a few bad triangles should not determine the step of the whole sheet.
 double usualResponse(const std::vector<PlateElement>& plates, const std::vector<double>& nodeAreas) {
     std::vector<double> responses;
     for (const PlateElement& plate : plates) {
@@ -85,8 +85,8 @@ double usualResponse(const std::vector<PlateElement>& plates, const std::vector<
     return *max;
 }
 
-// Upper bound of the squared angular frequencies of all bends, times areal density over rigidity, 1/m4
-// (Gershgorin).
+// Upper bound of the squared angular frequencies of all bending modes, times areal density over rigidity,
+// 1/m4 (Gershgorin).
 double stiffestNode(const std::vector<PlateElement>& plates, const std::vector<double>& nodeAreas) {
     std::vector<double> sums(nodeAreas.size(), 0.0);
     for (const PlateElement& plate : plates)
@@ -136,7 +136,7 @@ void SmallStepSheet::packLinks(const SheetMechanics& mechanics) {
     for (const auto& corners : mechanics.mesh.coordinates)
         for (const Eigen::Vector2d& corner : corners) extent.extend(corner);
     for (const double nodeArea : mechanics.mesh.areas) area_ += nodeArea;
-    height_ = std::max(extent.sizes().maxCoeff(), std::sqrt(area_));  // faces may lie side by side or not
+    height_ = std::max(extent.sizes().maxCoeff(), std::sqrt(area_));  // faces may or may not be adjacent
 
     const auto spare = static_cast<std::int32_t>(count_);
     for (const IndependentBlock& chosen : independentBlocks(elements, count_)) {
@@ -157,8 +157,8 @@ void SmallStepSheet::packLinks(const SheetMechanics& mechanics) {
 }
 
 void SmallStepSheet::packPlates(const SheetMechanics& mechanics) {
-    // How much stiffer cloth is against a small bend than against a large one, before its friction slides:
-    // assumed, after the slope of measured hysteresis loops where the bend turns back.
+    // Ratio of the stiffness of cloth in small bends, before its friction slides, to that in large bends:
+    // assumed, after the slope of measured hysteresis loops at their turning points.
     constexpr double heldOverElastic = 2;
     plateLaws_ = {float(mechanics.bending), float(mechanics.bendingFriction),
                   mechanics.bendingFriction > 0 ? float(heldOverElastic) : 0.0f};
@@ -235,14 +235,15 @@ void SmallStepSheet::beginNode(const btSoftBody::Node& node, std::size_t n, cons
     start_[n].inverseMass = float(node.m_im);
     velocity_[n] = packed(node.m_v);
     const auto t = btScalar(substep_);
-    // As far as Bullet lets a force take a node in a substep; and no bounds so wide that it drops the body.
+    // Limited to what Bullet lets a force move a node in a substep, so that the bounds do not become so large
+    // that Bullet removes the body.
     const btScalar farthest = farthestMotion_ / (t * t);
     const btVector3 acceleration = gravity + limited(node.m_f * node.m_im, farthest);
     acceleration_[n] = isPin ? MovingNode{0, 0, 0, 0} : packed(acceleration);
     reach_[n] = packed(limited((node.m_v + vectorOf(acceleration_[n]) * t) * t, farthestMotion_));
 }
 
-// Whether the application has moved pins at most.
+// Whether the application has moved nothing but pins.
 bool SmallStepSheet::isWhereItWas(const btSoftBody& body) const {
     for (std::size_t n = 0; n < end_.size(); ++n) {
         const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
@@ -251,7 +252,7 @@ bool SmallStepSheet::isWhereItWas(const btSoftBody& body) const {
     return !end_.empty();
 }
 
-// A pin that the application has moved goes there evenly, and so do those that follow it.
+// A pin that the application has moved moves to its new position at constant velocity during the substep.
 void SmallStepSheet::beginPin(const btSoftBody::Node& node, std::size_t n) {
     const btVector3 jump = node.m_x - end_[n];
     if (jump.isZero()) return;
@@ -278,8 +279,8 @@ double SmallStepSheet::arealDensity(const SheetMechanics& mechanics) const {
     return mass / area_;
 }
 
-// The longest step in which plates have their rigidity: with their compliance well above their own response,
-// a cantilever of ten cells is within a few percent of theory.
+// The longest step in which plates have their rigidity: if their compliance is well above their own response,
+// a cantilever of ten cells is accurate to a few percent.
 double SmallStepSheet::longestBendingStep(const SheetMechanics& mechanics) const {
     constexpr double resolved = 0.3;
     double rigidity = 0;
@@ -288,8 +289,8 @@ double SmallStepSheet::longestBendingStep(const SheetMechanics& mechanics) const
     return std::sqrt(resolved * arealDensity(mechanics) / (rigidity * plateResponse_));
 }
 
-// For how many small steps moments may stand: so that the stiffest of all bends stays stable, wherever the cloth
-// is stiffest and lightest.
+// Number of small steps for which moments may be kept, such that the stiffest bending mode is stable where
+// the cloth is stiffest and lightest.
 int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, int steps) const {
     double stiffest = 0, lightest = std::numeric_limits<double>::infinity();
     for (std::size_t n = 0; n < count_; ++n) {
@@ -298,8 +299,8 @@ int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, int step
         lightest = std::min(lightest, mechanics.masses[n] / mechanics.mesh.areas[n]);
     }
     stiffest *= mechanics.bending * (1 + double(plateLaws_.frictionStiffness));
-    // With T = n h and x' = x + T (v + v') / 2, v' = v - T w^2 (x + T v) a bend of angular frequency w is stable
-    // up to (w T)^2 = 2.
+    // With T = n h and x' = x + T (v + v') / 2, v' = v - T w^2 (x + T v), a bending mode of angular frequency
+    // w is stable up to (w T)^2 = 2.
     constexpr double stable = 1.3, max = 8;
     const double longest = std::sqrt(stable * lightest / (stiffest * stiffestPlates_));
     return static_cast<int>(std::clamp(longest * steps / substep_, 1.0, max));
@@ -314,13 +315,13 @@ void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
     for (std::size_t n = 0; n < count_; ++n) {
         const MovingNode &v = velocity_[n], &a = acceleration_[n];
         const float inverseMass = start_[n].inverseMass;
-        // A pin goes its way undamped.
+        // A pin moves without damping.
         const float feed = inverseMass > 0 ? 0 : h * (1 - keep_);
         moved_[n] = predicted_[n] = {0, 0, 0, inverseMass};
         steps_[n] = {v.x * h, v.y * h, v.z * h, 0};
         push_[n] = {a.x * squared + v.x * feed, a.y * squared + v.y * feed, a.z * squared + v.z * feed, 0};
     }
-    moved_[count_] = push_[count_] = {0, 0, 0, 0};  // whatever it has gathered counts for nothing
+    moved_[count_] = push_[count_] = {0, 0, 0, 0};  // the spare node must not accumulate anything
     kernels_.prepareLinks(links_.data(), dryStiffness_.data(), start_.data(), ratios_.data(), squared,
                           links_.size());
     kernels_.preparePlates(push_.data(), plates_.data(), plateStates_.data(), plateWeights_.data(),
@@ -341,8 +342,8 @@ void SmallStepSheet::solveCloth() {
     kernels_.solveLinks(moved_.data(), links_.data(), links_.size());
 }
 
-// Moments that are to stand for a while are those at its end, as far as one can see from here: moments that come
-// late would drive vibrations, and such as strike at intervals those of the links.
+// Moments that are kept for several steps are extrapolated to the end of that interval: late moments would
+// excite vibrations. They act in every step, because impulses at intervals would excite the links.
 void SmallStepSheet::renewMoments() {
     const auto ahead = float(platesEvery_);
     for (std::size_t n = 0; n < count_; ++n) {
@@ -365,7 +366,7 @@ int SmallStepSheet::firstLost() const {
     const auto isOff = [](const MovingNode& moved) {
         return !(std::abs(moved.x) + std::abs(moved.y) + std::abs(moved.z) <= float(farthestPosition));
     };
-    const auto found = std::find_if(moved_.begin(), moved_.end() - 1, isOff);  // the spare one does not count
+    const auto found = std::find_if(moved_.begin(), moved_.end() - 1, isOff);  // without the spare node
     return found == moved_.end() - 1 ? -1 : static_cast<int>(found - moved_.begin());
 }
 
@@ -393,7 +394,7 @@ int SmallStepSheet::finish(btSoftBody& body) {
 }
 
 void SmallStepSheet::writeNormals(btSoftBody& body) {
-    // Positions and sums side by side, since Bullet's own are spread over four cache lines each.
+    // Positions and sums are copied to contiguous arrays, because Bullet's nodes take four cache lines each.
     std::vector<MovingNode>&positions = reach_, &sums = push_;
     for (std::size_t n = 0; n < count_; ++n) {
         const MovingNode &start = start_[n], &moved = moved_[n];

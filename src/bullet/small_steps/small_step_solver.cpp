@@ -30,27 +30,27 @@ const SmallStepSettings& checked(const SmallStepSettings& settings) {
     return settings;
 }
 
-// The mechanics of a body that small steps move; none for those that go Bullet's own way.
+// The mechanics of a body if small steps move it; null if Bullet solves it.
 SheetMechanics* mechanicsOf(btSoftBody& body) {
     if (body.m_pose.m_bframe && body.m_cfg.kMT > 0) return nullptr;
     SheetMechanics* const mechanics = BodyWatch::mechanicsOf(body);
     return mechanics && mechanics->fits && hasCountsOf(body, mechanics->shape) ? mechanics : nullptr;
 }
 
-// The same once small steps have begun to move the body in this substep.
+// The same, if small steps have begun to move the body in this substep.
 SheetMechanics* movedHere(btSoftBody& body) {
     SheetMechanics* const mechanics = mechanicsOf(body);
     const bool hasBegun = mechanics && mechanics->moving && mechanics->movedBySmallSteps;
     return hasBegun && mechanics->moving->nodes == &body.m_nodes[0] ? mechanics : nullptr;
 }
 
-// Whether the application has changed the topology of a body since they have.
+// Whether the application has changed the topology of a body since then.
 bool isCut(btSoftBody& body) {
     const SheetMechanics* const mechanics = BodyWatch::mechanicsOf(body);
     return mechanics && mechanics->movedBySmallSteps && !movedHere(body);
 }
 
-// The members that Bullet's own predictMotion leaves for others to read.
+// Members that Bullet's predictMotion sets for other code.
 void writeStepState(btSoftBody& body, btScalar substep) {
     body.m_sst.sdt = substep * body.m_cfg.timescale;
     body.m_sst.isdt = 1 / body.m_sst.sdt;
@@ -59,8 +59,8 @@ void writeStepState(btSoftBody& body, btScalar substep) {
     body.m_sst.updmrg = body.m_sst.radmrg * btScalar(0.25);
 }
 
-// Widens the bounds of a sheet by solids that come at it so fast that Bullet, which sees only where they are,
-// would tell of them when they are inside.
+// Widens the bounds of a sheet by fast approaching solids. Bullet knows only their present positions, and
+// would report them only once they are inside.
 class SolidsToCome final : public btBroadphaseAabbCallback {
   public:
     SolidsToCome(btVector3& low, btVector3& high, btScalar substep)
@@ -86,7 +86,7 @@ class SolidsToCome final : public btBroadphaseAabbCallback {
     btScalar substep_;
 };
 
-// Bounds for the broadphase around where the nodes are and might come.
+// Broadphase bounds around the present and possible positions of the nodes.
 void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
     Bounds all = cloth.bounds()[0];
     for (const Bounds& bounds : cloth.bounds()) {
@@ -106,7 +106,7 @@ void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
                        body.m_worldInfo->m_dispatcher);
 }
 
-// Bullet also tells of solids that have once been near, for as long as it likes.
+// Bullet also reports solids that were near earlier, for an arbitrary time.
 bool areNear(const btSoftBody& body, const btCollisionObject& solid) {
     const btBroadphaseProxy *const one = body.getBroadphaseHandle(), *const other =
                                                                          solid.getBroadphaseHandle();
@@ -114,11 +114,11 @@ bool areNear(const btSoftBody& body, const btCollisionObject& solid) {
            TestAabbAgainstAabb2(one->m_aabbMin, one->m_aabbMax, other->m_aabbMin, other->m_aabbMax);
 }
 
-// Readies the trees and the node states in which Bullet looks for contacts of soft bodies, so that it finds
-// those that may come within the substep, and bonds as far as they reach: around each node it looks twice as far as
-// from m_x to m_q.
+// Prepares the trees and nodes in which Bullet searches for contacts of soft bodies, so that it finds those
+// that are possible within the substep, and those within the reach of adhesion: around each node Bullet
+// searches twice the distance from m_x to m_q.
 void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth, const Friction& sheetFriction) {
-    if (body.m_fdbvt.empty()) makeFaceTree(body);  // which else comes with the first stock step
+    if (body.m_fdbvt.empty()) makeFaceTree(body);  // otherwise made in the first stock step
     const btScalar margin = body.getCollisionShape()->getMargin();
     ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
     btScalar farthest = 0;
@@ -160,7 +160,7 @@ struct SmallStepSolver::State {
     void begin(btScalar substep);
     void smallStep(double smallStepOfWorld);
     void finish(btScalar substep);
-    // Books time that sheets share.
+    // Adds up computing time that sheets share.
     void share(double StepTimes::*stage, double seconds);
 
     const SmallStepSettings settings;
@@ -255,8 +255,7 @@ void SmallStepSolver::solveConstraints(btScalar substep) {
         if (SheetMechanics* const mechanics = movedHere(body))
             state_->sheets.push_back({&body, mechanics, mechanics->moving.get()});
         else if (isCut(body))
-            state_->softContacts
-                .clear();  // which are of nodes that are gone; the cloth waits for the next substep
+            state_->softContacts.clear();  // of removed nodes; the cloth is held
         else
             body.solveConstraints();
     }

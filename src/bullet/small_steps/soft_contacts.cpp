@@ -34,7 +34,7 @@ struct SoftContacts::Finder final : btDbvt::ICollide {
             projection_.of(node.m_x, face.m_n[0]->m_x, face.m_n[1]->m_x, face.m_n[2]->m_x);
         const btScalar distance = nearest.apart.length();
         const btScalar farthest = margin_ + 2 * (node.m_x - node.m_q).length();
-        // Of a node in the very plane of a face nobody knows which way is out.
+        // For a node exactly in the plane of a face the outward direction is unknown.
         if (!(distance > SIMD_EPSILON && distance < farthest)) return;
         const btVector3 normal = nearest.apart / distance;
         found_.push_back({&owner_, &other_,
@@ -76,7 +76,8 @@ void SoftContacts::choose(std::size_t first) {
     found_.erase(kept, found_.end());
 }
 
-// Whether a face rises above the plane by which a node meets the nearest one; its own plane then counts.
+// Whether a face rises above the plane of the contact of a node with the nearest face; its own plane then
+// counts, too.
 bool SoftContacts::rises(Found& found, const Found& nearest) {
     const btVector3& up = nearest.contact.m_normal;
     const btVector3& place = found.contact.m_node->m_x;
@@ -99,7 +100,7 @@ void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int s
     isFirstStep_ = true;
     contacts_.clear();
     guests_.clear();
-    // Pairs of bodies come in the order in which they have met, which restored sheets would not know.
+    // Bullet lists pairs of bodies in the order in which they first met, which is unknown to restored sheets.
     std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
         const int one = a.owner->getWorldArrayIndex(), two = b.owner->getWorldArrayIndex();
         return one != two ? one < two : a.other->getWorldArrayIndex() < b.other->getWorldArrayIndex();
@@ -168,7 +169,7 @@ SoftContacts::Contact SoftContacts::placed(const Found& found, const std::vector
     return contact;
 }
 
-// Takes overlapping bodies apart.
+// Separates overlapping bodies.
 void SoftContacts::lift(Contact& contact, float margin) {
     if (contact.gap >= 0 || !(contact.response > 0)) return;
     const float lifted = liftAtOnce(-contact.gap, margin);
@@ -202,7 +203,7 @@ btVector3 SoftContacts::place(Contact& contact, std::size_t corner, btSoftBody::
 std::size_t SoftContacts::guestOf(btSoftBody::Node& node, bool isAwake) {
     for (std::size_t i = 0; i < guests_.size(); ++i)
         if (guests_[i].node == &node) return i;
-    // Bullet leaves one that sleeps where it is, and so do we.
+    // Bullet does not move sleeping bodies, and neither does this.
     const btVector3 start = isAwake ? node.m_q : node.m_x;
     guests_.push_back({&node, start, node.m_x - start, {0, 0, 0, isAwake ? float(node.m_im) : 0}, {0, 0, 0}});
     return guests_.size() - 1;
@@ -210,7 +211,7 @@ std::size_t SoftContacts::guestOf(btSoftBody::Node& node, bool isAwake) {
 
 void SoftContacts::advance() {
     for (Guest& guest : guests_) {
-        // It goes on with what pushes have given it.
+        // The node continues with the velocity that it got from impulses.
         const btVector3 step = isFirstStep_ ? guest.own * fraction_ : vectorOf(guest.moved) - guest.before;
         guest.before = vectorOf(guest.moved);
         shift(guest.moved, step);
@@ -233,7 +234,7 @@ void SoftContacts::solve() {
         contact.adheres =
             adhesionHolds(contact.adhesion, contact.adheres || depth > 0, -depth, contact.reach);
         if (!((depth > 0 || contact.adheres) && std::abs(depth) < std::numeric_limits<btScalar>::max()))
-            continue;  // nor for what is not finite
+            continue;  // not for values that are not finite either
         contact.touched = true;
         const ContactLaw law = {btScalar(contact.friction),
                                 contact.adheres ? adhesionDisplacement(contact) : btScalar(0)};
@@ -251,7 +252,7 @@ void SoftContacts::solve() {
     }
 }
 
-// How far a bond takes node and face together in a small step, m.
+// Distance by which adhesion pulls node and face together in a small step, m.
 btScalar SoftContacts::adhesionDisplacement(const Contact& contact) {
     const double h = contact.sheets[0]->smallStep();
     return btScalar(double(contact.adhesion) * h * h * double(contact.response));

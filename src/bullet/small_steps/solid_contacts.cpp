@@ -15,7 +15,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// How far the solid itself may come towards a node within the substep.
+// Largest distance by which the solid itself may approach a node within the substep.
 btVector3 ownMotion(const btCollisionObject& object, const btVector3& point, double substep) {
     const btRigidBody* const body = movingBody(object);
     if (!body) return {0, 0, 0};
@@ -30,7 +30,7 @@ void SolidContacts::clear() {
     mesh_ = nullptr;
 }
 
-// A solid, or a part of one, that nodes are looked for around.
+// A solid, or a part of one, around which nodes are searched.
 struct SolidContacts::Touching {
     const btCollisionObject& object;
     const btCollisionShape& shape;
@@ -90,7 +90,7 @@ void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std:
     const SurfacePoint surface =
         with.isTriangle ? nearestOnTriangle(with.shape, with.transform, node.m_x)
                         : nearestSurface(with.shape, with.transform, node.m_x, body.m_worldInfo->m_sparsesdf);
-    // Its neighbours may pull a node on further than it would go by itself, towards where they go.
+    // Neighbouring nodes may pull a node farther than it would move by itself.
     const btVector3 approach = reach - ownMotion(with.object, node.m_x, with.substep);
     const bool adheres = with.sheetFriction.adheresTo[n] == &with.object;
     const btScalar slack =
@@ -185,7 +185,7 @@ void SolidContacts::choose(const btVector3& start, const SolidPoint& nearest, bt
     }
     solidPoint.facesNode = !solidPoint.isTriangle;
     if (solidPoint.isTriangle) solidPoint.normal = normalOfTriangle(*solidPoint.shape, transform, start);
-    // A face of the cloth clings once.
+    // A face of the cloth adheres only once.
     if (up.dot(solidPoint.normal) > otherFace) contact.adhesion = 0;
     contact.adheres = contact.adheres && contact.adhesion > 0;
 }
@@ -244,8 +244,8 @@ void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const S
               solidPoint.normal.dot(vectorOf(sheet.moved(n)) - solid.displacement(solidPoint.arm)));
         if (inside <= 0) continue;
         contact.adheres = contact.adhesion > 0;
-        // Lifted without a velocity of its own, and not farther than the cloth's margin at once; what is left
-        // waits for the next substep.
+        // Moved out without changing the velocity, and by at most the margin of the cloth at a time; the rest
+        // is left to the next substep.
         const btScalar lifted = std::min(inside, margin);
         sheet.place(n, solidPoint.normal * lifted);
         contact.gap += float(inside - lifted);
@@ -254,7 +254,8 @@ void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const S
 
 void SolidContacts::follow(SolidPoint& solidPoint, const btSoftBody& body, const btVector3& start,
                            const Solid& solid) const {
-    // As the node sees it from there, not turned with the solid: a ball that spins in one place stays the same.
+    // Seen from the node there, not rotated with the solid: a ball that spins at a fixed position stays the
+    // same.
     const btTransform transform = solid.end() * solidPoint.shapeInSolid;
     const btVector3 point = start + solid.path();
     const SurfacePoint surface =
@@ -279,7 +280,7 @@ void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
                           normal[2] * (node.z - float(displacement.z()));
         contact.adheres = adhesionHolds(contact.adhesion, contact.adheres || gap < 0, gap, float(reach_));
         if (!((gap < 0 || contact.adheres) && std::abs(gap) < std::numeric_limits<float>::max()))
-            continue;  // nor for what is not finite
+            continue;  // not for values that are not finite either
         contact.touched = true;
         hold(sheet, contact, solidPoints_[i], solid, -gap);
     }
@@ -300,7 +301,7 @@ void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const So
     const btScalar length = slip.length();
     btVector3 total = normal * push;
     if (length > 0) {
-        // Along its surface a solid that may turn gives way more readily than across it.
+        // A solid that can rotate yields more to a tangential force than to a normal one.
         const btScalar giving = inverseMass + solid.response(solidPoint.arm, slip / length);
         total -= drag(slip, length, length / giving, law.maxFriction(push));
     }

@@ -18,7 +18,7 @@ struct Connection {
     double length;
 };
 
-// From each node, through the links.
+// Neighbours of each node, by links.
 CompressedRows<Connection> connectionsAlongLinks(const SheetMechanics& mechanics) {
     return {mechanics.mesh.size(), [&](const auto& add) {
                 for (std::size_t i = 0; i < mechanics.shape.links.size(); ++i) {
@@ -31,7 +31,7 @@ CompressedRows<Connection> connectionsAlongLinks(const SheetMechanics& mechanics
             }};
 }
 
-// What stretches at a distance from the pins: the mass beyond, and the cloth that holds it.
+// Load and stiffness at a distance from the pins: the mass beyond, and the cloth that carries it.
 struct Level {
     double mass = 0;       // kg
     double stiffness = 0;  // force over strain, N
@@ -50,7 +50,7 @@ void Tethers::begin(const btSoftBody& body, const SheetMechanics& mechanics, dou
     measure(mechanics, double(body.m_worldInfo->m_gravity.length()), stretchTolerance);
 }
 
-// Dijkstra's shortest ways from all pins at once.
+// Shortest paths from all pins at once (Dijkstra).
 void Tethers::lay(const SheetMechanics& mechanics) {
     const auto connections = connectionsAlongLinks(mechanics);
     distance_.assign(connections.size(), std::numeric_limits<double>::infinity());
@@ -107,7 +107,7 @@ void Tethers::measure(const SheetMechanics& mechanics, double gravity, double st
         }
     }
 
-    // The weight of what lies beyond, from the far end on; then the stretch, from the pins on.
+    // The weight beyond each distance, from the far end inwards; then the stretch, from the pins outwards.
     std::vector<double> stretch(count + 1, 0.0), beyond(count + 1, 0.0);
     for (std::size_t level = count; level-- > 0;) beyond[level] = beyond[level + 1] + levels[level].mass;
     for (std::size_t level = 0; level < count; ++level) {
@@ -115,7 +115,7 @@ void Tethers::measure(const SheetMechanics& mechanics, double gravity, double st
             levels[level].stiffness > 0 ? beyond[level] * gravity / levels[level].stiffness : 0.0;
         stretch[level + 1] = stretch[level] + strain * width;
     }
-    // Loads are not spread as evenly as this takes them to be.
+    // Loads are not distributed as evenly as this estimate assumes.
     constexpr double uneven = 1.5;
     for (std::size_t n = 0; n < distance_.size(); ++n)
         if (distance_[n] > 0 && std::isfinite(distance_[n]))

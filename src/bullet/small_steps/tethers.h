@@ -1,4 +1,4 @@
-// Long-range attachments: a node cannot get farther from the nearest pin than the cloth between them allows.
+// Long-range attachments: limit the distance of each node from the nearest pin.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -12,13 +12,14 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Unilateral tethers (Kim et al. 2012, "Long range attachments"). Each is as long as the shortest way through
-// the links, and as much longer as the cloth stretches by what hangs on it at rest, so that tethers take away
-// the stretch that comes of too few steps, and leave the sheet's own.
+// Unilateral tethers (Kim et al. 2012, "Long range attachments"). The length of each is that of the shortest
+// path along links, plus the stretch of the cloth under the weight that hangs on it at rest. So tethers
+// remove the stretch that results from too few steps, but not the sheet's own.
 class Tethers {
   public:
-    // Lays tethers to the pins, if those have changed, and makes them as long as the water's weight asks for.
-    // @param stretchTolerance  of SmallStepSettings, 1
+    // Assigns tethers to the nearest pins, if the pins have changed, and computes their lengths for the
+    // present water.
+    // @param stretchTolerance  of SmallStepSettings, dimensionless
     void begin(const btSoftBody& body, const SheetMechanics& mechanics, double stretchTolerance);
     void solve(SmallStepSheet& sheet) const;
 
@@ -27,8 +28,8 @@ class Tethers {
     void measure(const SheetMechanics& mechanics, double gravity, double stretchTolerance);
 
     std::vector<int> pins_;
-    std::vector<int> pinOf_;        // of each node; -1 for none
-    std::vector<double> distance_;  // to it through the links, m
+    std::vector<int> pinOf_;        // nearest pin of each node; -1 for none
+    std::vector<double> distance_;  // from the pin along the links, m
     std::vector<float> length_;     // of the tether, m
 };
 

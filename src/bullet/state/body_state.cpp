@@ -15,7 +15,7 @@ void passVolume(BulletPass& pass, btDbvtVolume& volume) {
     if (pass.restores()) volume = btDbvtVolume::FromMM(low, high);
 }
 
-// Fits what is above the leaves to them.
+// Recomputes the volumes above the leaves.
 void refit(btDbvtNode* node) {
     if (!node || node->isleaf()) return;
     refit(node->childs[0]);
@@ -81,7 +81,7 @@ void BodyState::trees(BulletPass& pass) {
     refit(pass.restores() ? body_.m_fdbvt.m_root : nullptr);
 }
 
-// A tree that comes to be renews that of the nodes as well, so where there was none yet, there must be none.
+// Building a face tree also rebuilds the tree of nodes, so if there was no face tree there must be none.
 void BodyState::restoreFaceTree(bool wanted) {
     if (wanted == !body_.m_fdbvt.empty()) return;
     if (wanted) return makeFaceTree(body_);

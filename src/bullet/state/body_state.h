@@ -1,4 +1,4 @@
-// What a soft body is from step to step.
+// The state of a soft body.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -9,9 +9,9 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Everything of Bullet's own that later steps depend on and that is no setting: motion, masses and so pins, link
-// constants, normals, sleep, bounds, the volumes in which contacts are looked for, and the contacts of the last step.
-// What its trees look like plays no part, as contacts are sorted before they count.
+// Everything in Bullet's body that later steps depend on, except settings: motion, masses and so pins, link
+// constants, normals, sleep, bounds, the volumes in which contacts are searched, and the contacts of the last
+// step. The structure of its trees is irrelevant, because contacts are sorted before they are used.
 class BodyState {
   public:
     // @pre a body that is checked or restored has the nodes, links and faces of the one that was saved
@@ -31,7 +31,7 @@ class BodyState {
     const bool isDeformable_;
 };
 
-// What the body has touched in the last step. Contacts with what has left the world are not saved.
+// Contacts of the body in the last step. Contacts with objects that have left the world are not saved.
 class ContactState {
   public:
     ContactState(btSoftBody& body, bool isDeformable) : body_(body), isDeformable_(isDeformable) {}

@@ -1,4 +1,4 @@
-// The pass over a state that knows Bullet.
+// A StatePass that knows Bullet's types.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
@@ -13,8 +13,8 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Names other bodies by their place in the world's list of collision objects; `state(BulletPass&)` is for classes that
-// know Bullet what `state(StatePass&)` is for others.
+// Identifies other bodies by their index in the world's list of collision objects. Classes that know Bullet
+// have a function `state(BulletPass&)` in place of `state(StatePass&)`.
 class BulletPass : public StatePass {
   public:
     BulletPass(StateWriter& writer, const btCollisionWorld& world) : StatePass(writer), world_(world) {
@@ -28,7 +28,7 @@ class BulletPass : public StatePass {
         part.state(*this);
     }
 
-    // Of a body that moves, finite and not so large that Bullet's sums were not.
+    // A vector of a moving body: finite, and small enough that Bullet's sums are finite.
     static constexpr double farthest = 1e15;
     using StatePass::vector;
     void vector(btVector3& value, double max = farthest);
@@ -39,19 +39,19 @@ class BulletPass : public StatePass {
         auto& [x, y, z, fourth] = value;
         for (float* part : {&x, &y, &z, &fourth}) number(*part, -1e9, 1e9);
     }
-    // The first so many of them.
+    // The first `count` of them.
     template <typename Node>
     void nodes(std::vector<Node>& values, std::size_t count) {
         for (std::size_t n = 0; n < count; ++n) node(values[n]);
     }
 
     enum class Which { solid, soft };
-    // An object, by its address alone; it may be gone, and is then none.
-    // @return the one that was saved, or is being saved
+    // An object, by address only; null if it was destroyed.
+    // @return the object that was saved, or is being saved
     const btCollisionObject* object(const btCollisionObject* now, Which which);
     // Whether an object is in the world, by its address alone. @pre a pass that saves
     bool knows(const btCollisionObject* object) const { return indices_.count(object) > 0; }
-    // The soft body that a face is of; none for one that is of no body in the world.
+    // The soft body to which a face belongs; null if that body is in no world.
     const btSoftBody* ownerOf(const btSoftBody::Face* face) const;
 
   private:

@@ -17,7 +17,7 @@ void ContactState::state(BulletPass& pass) {
     deformableSoftBodies(pass);
 }
 
-// Bullet's contacts do not come to be of nothing: an empty one stands for those that are read.
+// Bullet's contacts have no default constructor: this empty one is filled by what is read.
 template <typename Contacts, typename IsKnown, typename Each>
 void ContactState::list(BulletPass& pass, Contacts& contacts, IsKnown isKnown, Each each) {
     std::vector<int> known;
@@ -50,7 +50,7 @@ void ContactState::node(BulletPass& pass, Contact& contact) {
     if (pass.restores()) contact.m_node = &body_.m_nodes[index];
 }
 
-// @return the body that the face is of
+// @return the body of the face
 template <typename Contact>
 const btCollisionObject* ContactState::face(BulletPass& pass, Contact& contact) {
     const btSoftBody* const ownerNow = pass.saves() ? pass.ownerOf(contact.m_face) : nullptr;

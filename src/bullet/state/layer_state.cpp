@@ -1,4 +1,4 @@
-// What a layer keeps from step to step, as a snapshot.
+// The state of a layer, for snapshots.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -26,7 +26,7 @@ void checkSame(const char* what, std::uint64_t saved, std::uint64_t here) {
     if (saved != here) refuseSheet("it has ", saved, ' ', what, ", and this one has ", here);
 }
 
-// Within what another compiler may make of the same body.
+// Tolerance for differences between compilers for the same body.
 void checkAlike(const char* what, std::size_t index, float saved, double here) {
     constexpr double rounding = 1e-5;
     if (!(std::abs(double(saved) - here) <= rounding * (1 + std::abs(here))))
@@ -63,7 +63,7 @@ Snapshot WetCloth::Layer::snapshot() {
     Snapshot made(snapshotBytes({sizeof(btScalar), count(body.m_nodes.size()), count(body.m_links.size()),
                                  count(body.m_faces.size()), topologyHash()},
                                 all.bytes()));
-    // What could not be restored is better known now.
+    // A snapshot that could not be restored is refused now rather than by `restore`.
     try {
         checkSections(made);
     } catch (const std::runtime_error& problem) {
@@ -78,8 +78,8 @@ void WetCloth::Layer::restore(const Snapshot& snapshot) {
     checkSameSheet(snapshot);
     checkSections(snapshot);
     restoreSections(snapshot);
-    pose.gather(body, mesh);  // where nodes go back to, should they get lost
-    world.updateAabbs();      // in which rays look for solids, before the next step brings them up to date
+    pose.gather(body, mesh);  // positions for repairs
+    world.updateAabbs();      // rays search there before the next step updates them
 }
 
 void WetCloth::Layer::checkBetweenSteps() const {
@@ -133,8 +133,8 @@ void WetCloth::Layer::checkSections(const Snapshot& snapshot) {
     checkEnd(reader, "END");
 }
 
-// Sources, of which an application's own may refuse, come first.
-// @pre the sections are checked
+// Loads the sources first, because a source of an application may throw.
+// @pre the sections have been checked
 void WetCloth::Layer::restoreSections(const Snapshot& snapshot) {
     StateReader ahead(snapshot.state());
     forEachSection([&](const char* name, auto) { readSection(ahead, name); });
@@ -147,7 +147,7 @@ void WetCloth::Layer::restoreSections(const Snapshot& snapshot) {
     });
 }
 
-// What does not change, so that another sheet is told.
+// Constant data, to recognise another sheet.
 void WetCloth::Layer::clothState(BulletPass& pass) {
     const std::string name = pass.value(fabric.name);
     checkSame("parameters of its fabric", pass.count(fabricParameters().size()), fabricParameters().size());
@@ -266,7 +266,7 @@ void WetCloth::Layer::checkSources(StateReader reader) const {
     checkEnd(reader, sourcesSection);
 }
 
-// All sources or none. @pre they are checked
+// Loads all sources or none. @pre they have been checked
 void WetCloth::Layer::loadSources(StateReader reader) {
     std::vector<StateWriter> before(suppliers.size());
     for (std::size_t i = 0; i < suppliers.size(); ++i) suppliers[i].source->save(before[i]);

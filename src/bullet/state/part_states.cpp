@@ -1,4 +1,4 @@
-// What the parts of a layer keep from step to step.
+// The states of the parts of a layer.
 #include <stdexcept>
 #include <vector>
 
@@ -114,7 +114,7 @@ void WindAtNodes::state(BulletPass& pass) {
     }
     pass.index(nextRay_, patches_.empty() ? 0 : patches_.size() - 1);
     pass.flag(isSheltered_);
-    if (pass.restores()) isUniform_ = false;  // so that the next step fills the velocities anew
+    if (pass.restores()) isUniform_ = false;  // so that the next step recomputes the velocities
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -1,4 +1,4 @@
-// The sections of a snapshot's state: four letters, the size in 8 bytes, and so many bytes each.
+// The sections of a snapshot: for each a name of four letters, the size in 8 bytes, and its bytes.
 #pragma once
 
 #include <stdexcept>

@@ -9,7 +9,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// Told apart by its address, not by RTTI, which Bullet may have been built without.
+// Recognised by its address, not by RTTI, because Bullet may have been built without it.
 const char* const watchedShapeName = "DrenchSheet";
 
 void copyUserData(const btCollisionShape& from, btCollisionShape& to) {
@@ -49,7 +49,7 @@ bool isWatched(const btSoftBody& body) {
     return body.getCollisionShape()->getName() == watchedShapeName;
 }
 
-// btSoftBody hides the setter of its base.
+// btSoftBody hides the setter of its base class.
 void setShape(btSoftBody& body, btCollisionShape* shape) {
     body.btCollisionObject::setCollisionShape(shape);
 }

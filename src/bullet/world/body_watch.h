@@ -1,4 +1,4 @@
-// Knows whether a soft body still exists.
+// Detects the destruction of a soft body.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -12,13 +12,13 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 struct SheetMechanics;
 
-// Bullet does not say when a soft body is deleted, but the body owns its collision shape and deletes it. So
-// for as long as it watches, the body has a collision shape of ours in place of its own, with the same
-// margin and user data; the body gets its own shape back at the end.
+// Bullet does not report when a soft body is deleted, but the body owns its collision shape and deletes it.
+// So while a body is watched, it has a collision shape of ours in place of its own, with the same margin and
+// user data. The destructor restores the body's own shape.
 class BodyWatch {
   public:
-    // @param mechanics  of the body, for solvers that meet it; stays where it is
-    // @throws std::invalid_argument if the body is being watched already.
+    // @param mechanics  of the body, for solvers that find it; must outlive this
+    // @throws std::invalid_argument if the body is already being watched
     BodyWatch(btSoftBody& body, SheetMechanics& mechanics);
     ~BodyWatch();
     BodyWatch(const BodyWatch&) = delete;
@@ -26,7 +26,7 @@ class BodyWatch {
 
     bool bodyIsAlive() const { return *alive_; }
 
-    // The mechanics of a body that is being watched; none for any other.
+    // The mechanics of a watched body; null for any other.
     static SheetMechanics* mechanicsOf(btSoftBody& body);
 
   private:

@@ -1,4 +1,4 @@
-// What a sheet may have at most; beyond that single precision, and Bullet's trees, come to no good.
+// Limits of valid states; beyond them single precision and Bullet's trees fail.
 #pragma once
 
 #include "drench/config.h"

@@ -13,8 +13,8 @@ namespace {
 
 using DeformableFlag = bool btDeformableMultiBodyDynamicsWorld::*;
 
-// Bullet has setImplicit and setUseProjection but no way to ask, and keeps both where a derived class may
-// not look either. An explicit instantiation may name private members, and hands them out by a friend.
+// Bullet has setImplicit and setUseProjection but no getters, and a derived class has no access either. An
+// explicit template instantiation may name private members, and makes them accessible through a friend.
 DeformableFlag implicitFlag();
 DeformableFlag projectionFlag();
 template <DeformableFlag implicit, DeformableFlag projection>
@@ -25,7 +25,7 @@ struct Revealed {
 template struct Revealed<&btDeformableMultiBodyDynamicsWorld::m_implicit,
                          &btDeformableMultiBodyDynamicsWorld::m_useProjection>;
 
-// Calls `use` with the world as what it is.
+// Calls `use` with the world cast to its class.
 template <typename Use>
 decltype(auto) withSoftWorld(btDiscreteDynamicsWorld& world, Use use) {
     switch (world.getWorldType()) {

@@ -1,5 +1,5 @@
-// The worlds that move soft bodies, and what differs between them. Told apart by getWorldType, as Bullet may
-// have been built without RTTI.
+// Bullet's worlds for soft bodies, and their differences. Recognised by getWorldType, because Bullet may have
+// been built without RTTI.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
@@ -10,16 +10,16 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// The same world. @throws std::invalid_argument if it is none that moves soft bodies
+// The same world. @throws std::invalid_argument for a world without soft bodies
 btDiscreteDynamicsWorld& checkedSoftWorld(btDiscreteDynamicsWorld& world);
 
 // Whether it is Bullet's deformable world.
 bool isDeformable(const btDiscreteDynamicsWorld& world);
 
-// Its soft bodies. @pre the world is a checked one
+// Its soft bodies. @pre the world has been checked
 const btAlignedObjectArray<btSoftBody*>& softBodiesOf(btDiscreteDynamicsWorld& world);
 
-// What its soft bodies share. @pre the world is a checked one
+// The world info of its soft bodies. @pre the world has been checked
 const btSoftBodyWorldInfo& worldInfoOf(btDiscreteDynamicsWorld& world);
 
 // How a deformable world integrates.

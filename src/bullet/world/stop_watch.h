@@ -1,4 +1,4 @@
-// Time between two moments of a step.
+// Measures computing time.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Runs from when it is made.
+// Starts at construction.
 class StopWatch {
   public:
     // Time since the last lap, s.

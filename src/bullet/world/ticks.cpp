@@ -13,7 +13,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// Bullet sets callbacks and takes actions but has no way to ask for either; a derived class may look.
+// Bullet has setters for callbacks and actions but no getters; a derived class has access.
 struct Hidden : btDiscreteDynamicsWorld {
     static btInternalTickCallback preTickOf(btDynamicsWorld& world) {
         return world.*(&Hidden::m_internalPreTickCallback);
@@ -34,14 +34,14 @@ constexpr bool isPreTick = true;
 // Parts of a chain.
 namespace ticks {
 
-// Does nothing. A world that has it is the one that got it, and not a later one in the same place of memory.
+// Does nothing. A world that has this action is the one that got it, not a later world at the same address.
 class WorldMark final : public btActionInterface {
   public:
     void updateAction(btCollisionWorld*, btScalar) override {}
     void debugDraw(btIDebugDraw*) override {}
 };
 
-// Listeners of one moment. They may come and go while they are called.
+// Listeners of one event. They may be added and removed while they are called.
 class Listeners {
   public:
     bool has(TickListener& listener) const {
@@ -54,7 +54,7 @@ class Listeners {
     }
     void clear() { all_.clear(); }
 
-    // Those that come meanwhile are called as well.
+    // Includes listeners that are added meanwhile.
     void call(void (TickListener::*tick)(btScalar), btScalar dt) {
         struct Calling {
             Listeners& listeners;
@@ -73,22 +73,22 @@ class Listeners {
   private:
     void removeGone() { all_.erase(std::remove(all_.begin(), all_.end(), nullptr), all_.end()); }
 
-    std::vector<TickListener*> all_;  // none in place of those that have gone while they are called
+    std::vector<TickListener*> all_;  // null for those removed while they are called
     bool isCalling_ = false;
 };
 
-// The application's pre-tick callbacks that were found in the world's slot, oldest first.
+// Pre-tick callbacks of the application that were found in the world's slot, oldest first.
 class ApplicationCallbacks {
   public:
     void found(btInternalTickCallback callback) {
-        if (!callback) return all_.clear();  // withdrawn
-        // What came after one that comes again was withdrawn.
+        if (!callback) return all_.clear();  // the application has removed its callback
+        // If an earlier callback is set again, those set after it were removed.
         all_.erase(std::find(all_.begin(), all_.end(), callback), all_.end());
         all_.push_back(callback);
     }
 
-    // Calls the newest. Should the application have chained it onto ours, it calls ours again and means the one
-    // before.
+    // Calls the newest. If the application has chained it onto ours, it calls ours again, and that call
+    // continues with the next older one.
     void call(btDynamicsWorld* world, btScalar dt) {
         if (depth_ >= all_.size()) return;
         struct Deeper {
@@ -106,37 +106,39 @@ class ApplicationCallbacks {
 
   private:
     std::vector<btInternalTickCallback> all_;
-    std::size_t depth_ = 0;  // of such calls
+    std::size_t depth_ = 0;  // number of nested calls
 };
 
 }  // namespace ticks
 
-// What happens in a world's substeps.
+// Listeners and callbacks of one world.
 struct Ticks::Chain {
     ticks::WorldMark mark;
     ticks::ApplicationCallbacks beforePreTick;
     ticks::Listeners atPreTick;
-    btInternalTickCallback beforePostTick = nullptr;  // while the slot is borrowed
-    ticks::Listeners atPostTick;                      // of the next one
+    btInternalTickCallback beforePostTick = nullptr;  // while our callback is in the slot
+    ticks::Listeners atPostTick;                      // for the next post-tick only
 };
 
-// A tick callback is told its world and nothing else, and the world's user info belongs to the application: this
-// table is the only way from the world to its chain. A chain stays until another world begins in the same place,
-// since a world may hold our callback and our mark that long, and does not say when it ends.
+// A tick callback gets only its world as argument, and the world's user info belongs to the application. So
+// this table is the only way to find the chain of a world. A chain is kept until another world is made at the
+// same address, because a world may hold our callback and our mark that long, and does not report its
+// destruction.
 class Ticks::Table {
   public:
     static Table& instance() {
-        // Never destroyed: a layer in a global variable may end after any static of ours.
+        // Never destroyed, because a layer in a global variable may be destroyed after any static variable of
+        // ours.
         static Table& table = *new Table;
         return table;
     }
 
-    // None for a world that has got none, also where another had one in the same place.
+    // Null for a world without a chain, also if an earlier world at the same address had one.
     std::shared_ptr<Chain> chainOf(btDynamicsWorld& world) {
         const std::lock_guard<std::mutex> lock(mutex_);
         const auto known = chains_.find(&world);
         if (known == chains_.end()) return nullptr;
-        // Only a discrete world can have got one.
+        // Only a discrete world can have a chain.
         auto& discrete = static_cast<btDiscreteDynamicsWorld&>(world);
         return Hidden::hasAction(discrete, &known->second->mark) ? known->second : nullptr;
     }
@@ -144,7 +146,7 @@ class Ticks::Table {
     std::shared_ptr<Chain> makeChain(btDiscreteDynamicsWorld& world) {
         if (std::shared_ptr<Chain> known = chainOf(world)) return known;
         auto chain = std::make_shared<Chain>();
-        // Not one that a world of the application's has in place of it.
+        // Not an override of addAction in a world of the application.
         world.btDiscreteDynamicsWorld::addAction(&chain->mark);
         const std::lock_guard<std::mutex> lock(mutex_);
         chains_[&world] = chain;
@@ -152,7 +154,7 @@ class Ticks::Table {
     }
 
   private:
-    std::mutex mutex_;  // worlds may step in different threads
+    std::mutex mutex_;  // worlds may be stepped in different threads
     std::map<btDynamicsWorld*, std::shared_ptr<Chain>> chains_;
 };
 
@@ -179,7 +181,7 @@ void Ticks::awaitPostTick() {
         chain_->beforePostTick = current;
         world_.setInternalTickCallback(runPostTick, world_.getWorldUserInfo(), !isPreTick);
     }
-    // It waits already where the substep before was left undone.
+    // It is already registered if the previous substep was not completed.
     if (!chain_->atPostTick.has(listener_)) chain_->atPostTick.add(listener_);
 }
 

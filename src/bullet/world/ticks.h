@@ -1,5 +1,5 @@
-// The two moments of a Bullet world's substep at which a layer works, shared with the application's own tick
-// callbacks.
+// The two points of a Bullet world's substep at which a layer works. They are shared with the application's
+// own tick callbacks.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
@@ -11,34 +11,35 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Someone who wants to know these moments.
+// Interface for classes that are notified at these points.
 class TickListener {
   public:
-    // A substep of `dt` seconds begins.
+    // Called at the start of a substep of `dt` seconds.
     virtual void preTick(btScalar dt) = 0;
-    // Contacts have been found, and none is solved yet.
+    // Called when contacts have been found, but none has been solved yet.
     virtual void postTick(btScalar dt) = 0;
 
   protected:
     ~TickListener() = default;
 };
 
-// What a listener hears of a world, for as long as this lives. The application's callbacks are called first, its
-// user info of the world stays as it is. Listeners may come and go, also within a callback, and the world may end
-// before this: only a constructor and `awaitPostTick` touch it.
+// Notifies a listener of the substeps of a world, until destroyed. The application's callbacks are called
+// first, and its user info of the world is not changed. Listeners may be added and removed at any time, also
+// within a callback. The world may be destroyed before this: only the constructor, `hearPreTicks` and
+// `awaitPostTick` access it.
 class Ticks {
   public:
-    // Hears nothing yet. @param listener  outlives this
+    // Not notified yet. @param listener  must outlive this
     Ticks(btDiscreteDynamicsWorld& world, TickListener& listener);
     ~Ticks();
     Ticks(const Ticks&) = delete;
     Ticks& operator=(const Ticks&) = delete;
 
-    // Hears each pre-tick from now on, after listeners that came earlier. A callback that the application sets later
-    // replaces Drench's, until the next listener comes. @pre the world exists
+    // Notifies of each pre-tick from now on, after listeners that were added earlier. A callback that the
+    // application sets later replaces Drench's, until the next listener is added. @pre the world exists
     void hearPreTicks();
-    // Hears the next post-tick. The world's one slot is borrowed for that: as the callbacks run it holds the
-    // application's again. @pre the world exists
+    // Notifies of the next post-tick. For that our callback is put into the world's only slot; before
+    // callbacks are called, the application's own is restored there. @pre the world exists
     void awaitPostTick();
 
   private:

@@ -1,4 +1,4 @@
-// Between Bullet's vectors, Eigen's and packed ones.
+// Conversions between the vectors of Bullet, Eigen and packed nodes.
 #pragma once
 
 #include <LinearMath/btVector3.h>
@@ -19,7 +19,7 @@ inline btVector3 toBullet(const Eigen::Vector3d& v) {
     return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
 }
 
-// Of a packed node of any kind.
+// Of a packed node of any type.
 template <typename Node>
 btVector3 vectorOf(const Node& node) {
     return {btScalar(node.x), btScalar(node.y), btScalar(node.z)};
