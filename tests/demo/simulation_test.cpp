@@ -5,6 +5,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
@@ -60,13 +62,13 @@ bool reaches(const Simulation& simulation, int frame) {
 // A clock that goes on when told.
 class Clock {
   public:
-    void advance(double seconds) { milliseconds_ += int(1000 * seconds); }
+    void advance(double seconds) { nanoseconds_ += std::llround(1e9 * seconds); }
     Simulation::Now now() {
-        return [this] { return FrameClock::Clock::time_point(std::chrono::milliseconds(milliseconds_)); };
+        return [this] { return FrameClock::Clock::time_point(std::chrono::nanoseconds(nanoseconds_)); };
     }
 
   private:
-    std::atomic<int> milliseconds_{0};
+    std::atomic<std::int64_t> nanoseconds_{0};
 };
 
 // Has the simulation do something between frames, and waits until it is seen; it then has had its chance of a frame.
@@ -83,16 +85,19 @@ TEST(Simulation, RunsByItselfNoFasterThanTheClock) {
     Simulation simulation(request(), options, clock.now());
     int frames = 0;
     const auto count = [&] { return frames += int(simulation.takeKeepsakes().size()); };
+    constexpr double frameTime = Scene::frameTime, early = 1e-3, rounding = 1e-9;  // s
     for (int frame = 1; frame <= 10; ++frame) {
         ASSERT_TRUE(comesTrue([&] { return count() >= frame; }));
-        clock.advance(0.016);  // a little less than a frame
+        clock.advance(frameTime - early);
         EXPECT_EQ(count(), frame);
-        clock.advance(0.001);
+        clock.advance(early + rounding);
     }
+    ASSERT_TRUE(comesTrue([&] { return count() >= 11; }));
     clock.advance(10);
-    ASSERT_TRUE(comesTrue([&] { return count() >= 12; }));
-    clock.advance(0.001);
-    EXPECT_LE(count(), 12) << "of what comes late one frame is made up for";
+    ASSERT_TRUE(comesTrue([&] { return count() >= 13; }));
+    clock.advance(frameTime + rounding);
+    ASSERT_TRUE(comesTrue([&] { return count() >= 14; }));
+    EXPECT_EQ(count(), 14) << "of what comes late only one frame is made up for";
     const auto snapshot = simulation.latest();
     EXPECT_EQ(snapshot->scene, "hanging");
     EXPECT_EQ(snapshot->sheets.size(), 1u);
