@@ -70,17 +70,13 @@ struct SheetSettings {
     OnTrouble onTrouble = OnTrouble::carryOn;
 };
 
-/// Adds water to one btSoftBody. At the start of each of Bullet's substeps sources add their water, the water moves
-/// (see `Moisture::step`), and node masses, link stiffness and air forces are computed from it. docs/wet-cloth.md lists
-/// the body fields that a WetCloth changes while attached and restores on destruction, and says how stiff links are
-/// with each of Bullet's solvers.
-///
-/// Body, world and WetCloth may be destroyed in any order that Bullet allows; without its body or world a WetCloth does
-/// nothing. A body has at most one WetCloth, and is simulated only in the world of its WetCloth. It may be cut, refined
-/// or extended while attached; see docs/health.md. A WetCloth must be used from the thread that steps its world.
-///
-/// Node indices are those of the body at the last substep. Every function with a node index throws std::out_of_range
-/// for one that does not exist.
+/// Adds water to one btSoftBody: before each of Bullet's substeps sources add their water, the water moves (see
+/// `Moisture::step`), and node masses, link stiffness and air forces are computed from it. docs/wet-cloth.md lists the
+/// body fields that change while it is attached and are restored on destruction. Body, world and WetCloth may be
+/// destroyed in any order that Bullet allows; without its body or world a WetCloth does nothing. A body has at most one
+/// WetCloth, is simulated only in its world, and may be cut, refined or extended meanwhile (docs/health.md). Use a
+/// WetCloth only in the thread that steps its world. Node indices are those of the body at the last substep; functions
+/// with a node index throw std::out_of_range for one that does not exist.
 class DRENCH_API WetCloth {
   public:
     /// @name Attaching
