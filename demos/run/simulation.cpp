@@ -152,7 +152,8 @@ Simulation::Orders Simulation::takeOrders() {
     orders_.drawTime.reset();
     taken.frame = !taken.request.make && wantsFrame() && clock_.due() <= now_();
     if (!taken.frame) return taken;
-    if (steps_ > 0) --steps_;
+    taken.single = steps_ > 0;
+    if (taken.single) --steps_;
     clock_.begin(now_(), speed_ > 0 ? Scene::frameTime / speed_ : 0);
     return taken;
 }
@@ -180,11 +181,11 @@ void Simulation::obey(const Command& command) {
     }
 }
 
-// Unlimited speed produces more frames than can be seen.
+// Unlimited speed produces more frames than can be seen; but each single step is shown.
 void Simulation::publish(const Orders& orders) {
     constexpr auto shortest = std::chrono::milliseconds(8);
     const auto now = FrameClock::Clock::now();
-    const bool isFast = orders.frame && now - published_ < shortest;
+    const bool isFast = orders.frame && !orders.single && now - published_ < shortest;
     if (isFast && !orders.filmed && !run_->pictureName() && !run_->ended()) return;
     published_ = now;
     auto state = std::make_shared<FrameState>(run_->frameState());

@@ -89,6 +89,7 @@ class Simulation {
         View view = View::beauty;
         std::optional<double> drawTime;  // s
         bool frame = false;
+        bool single = false;  // a frame in spite of a pause
         bool filmed = false;
     };
 
