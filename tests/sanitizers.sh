@@ -9,7 +9,7 @@ install_missing "${build_packages[@]}" "${picture_packages[@]}" libgtest-dev lib
   doxygen binutils
 (cd "$root" && cmake --preset sanitizers >/dev/null && cmake --build --preset sanitizers --parallel "$(nproc)")
 
-# The clocks of windows do not wait for a program that is ten times slower.
+# Windows are drawn by the processor, which takes hours in a program that is ten times slower.
 cd "$root"
 export LSAN_OPTIONS=suppressions=$root/tests/leaks.supp:print_suppressions=0
 exec ctest --preset sanitizers --parallel "$(nproc)" --label-exclude window "$@"

@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "bullet/worlds.h"
+#include "bullet/world/worlds.h"
 #include "temporary_folder.h"
 
 namespace drench::mesh_file_test {

@@ -3,7 +3,7 @@
 
 #include <drench/files/cloth_frame.h>
 
-#include "bullet/worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::test {
 

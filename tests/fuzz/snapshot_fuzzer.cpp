@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "bullet/snapshot_rig.h"
+#include "bullet/state/snapshot_rig.h"
 #include "choices.h"
 #include "state/snapshot_bytes.h"
 

@@ -2,7 +2,7 @@
 // lengths, beside the same springs at rest in an independent solver. Takes about a minute and a half.
 #include <cstdio>
 
-#include "bullet/worlds.h"
+#include "bullet/world/worlds.h"
 #include "cloth/link_stiffness.h"
 #include "static_equilibrium.h"
 

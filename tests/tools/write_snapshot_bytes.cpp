@@ -1,10 +1,10 @@
-// Makes tests/bullet/data/small.snapshot anew, for a new format: two thirds of a second of the smallest scene.
+// Makes tests/bullet/state/data/small.snapshot anew, for a new format: two thirds of a second of the smallest scene.
 #include <drench/snapshot.h>
 
 #include <cstdio>
 #include <exception>
 
-#include "bullet/snapshot_rig.h"
+#include "bullet/state/snapshot_rig.h"
 
 int main(int argc, char** argv) {
     if (argc != 2) {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "body_fields.h"
+#include "bullet/world/body_fields.h"
 #include "deformable_rig.h"
 
 namespace drench::deformable_border_test {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "bullet/world/worlds.h"
 #include "hanging_grid.h"
-#include "worlds.h"
 
 namespace drench::test {
 
@@ -20,7 +20,7 @@ enum class Mode { explicitSteps, implicitSteps };
 // A deformable world as an application would set one up, with Bullet's own gravity force.
 class DeformableWorld {
   public:
-    explicit DeformableWorld(Mode mode, double gravity = 9.81) : gravity_({0, btScalar(-gravity), 0}) {
+    explicit DeformableWorld(Mode mode, double fall = 9.81) : gravity_({0, btScalar(-fall), 0}) {
         constraints_.setDeformableSolver(&solver_);
         world_ = std::make_unique<btDeformableMultiBodyDynamicsWorld>(
             &dispatcher_, &broadphase_, &constraints_, &configuration_, &solver_);

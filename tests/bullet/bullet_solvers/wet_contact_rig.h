@@ -6,8 +6,8 @@
 
 #include <memory>
 
+#include "bullet/world/worlds.h"
 #include "world/scene_world.h"
-#include "worlds.h"
 
 namespace drench::test {
 

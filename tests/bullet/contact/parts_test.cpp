@@ -7,7 +7,7 @@
 
 #include <limits>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::parts_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::penetration_test {
 namespace {

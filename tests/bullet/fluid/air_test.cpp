@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::air_test {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bullet/simd/fluid_kernels.h"
+#include "bullet/world/worlds.h"
 #include "drench/water.h"
-#include "worlds.h"
 
 namespace drench::fluid_test {
 namespace {

@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
+#include "bullet/world/worlds.h"
 #include "drench/water.h"
 #include "world/deformable_world.h"
-#include "worlds.h"
 
 namespace drench::pool_world_test {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::wind_test {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <optional>
 
-#include "body_fields.h"
-#include "worlds.h"
+#include "bullet/world/body_fields.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::lifetime_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "any_world.h"
+#include "bullet/world/any_world.h"
 
 namespace drench::messages_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::refusal_test {
 namespace {

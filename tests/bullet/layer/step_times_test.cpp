@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::step_times_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::water_in_world_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::wet_cloth_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-#include "any_world.h"
+#include "bullet/world/any_world.h"
 
 namespace drench::abuse_test {
 namespace {

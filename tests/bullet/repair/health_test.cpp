@@ -1,7 +1,7 @@
 // What goes wrong while a world runs: it is mended and reported, or thrown, and Bullet never sees it.
 #include <limits>
 
-#include "any_world.h"
+#include "bullet/world/any_world.h"
 
 namespace drench::health_test {
 namespace {

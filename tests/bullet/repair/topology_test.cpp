@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "any_world.h"
+#include "bullet/world/any_world.h"
 
 namespace drench::topology_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::cantilever_test {
 namespace {

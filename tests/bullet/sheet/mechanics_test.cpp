@@ -1,8 +1,8 @@
 // Whether weight shows as it should, against a solver that shares nothing with Bullet or the library.
 #include <gtest/gtest.h>
 
+#include "bullet/world/worlds.h"
 #include "hanging_grid.h"
-#include "worlds.h"
 
 namespace drench::mechanics_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::sheet_test {
 namespace {

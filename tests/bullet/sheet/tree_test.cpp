@@ -4,7 +4,7 @@
 #include <set>
 
 #include "bullet/sheet/face_tree.h"
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::tree_test {
 namespace {

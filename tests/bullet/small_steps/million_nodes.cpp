@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 int main() {
     using Clock = std::chrono::steady_clock;

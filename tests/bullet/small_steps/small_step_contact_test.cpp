@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::small_step_contact_test {
 namespace {

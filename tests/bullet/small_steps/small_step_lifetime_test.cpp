@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::small_step_lifetime_test {
 namespace {

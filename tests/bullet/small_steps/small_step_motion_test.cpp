@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::small_step_motion_test {
 namespace {

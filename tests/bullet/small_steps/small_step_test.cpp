@@ -6,8 +6,8 @@
 
 #include "bullet/small_steps/small_step_sheet.h"
 #include "bullet/world/body_watch.h"
+#include "bullet/world/worlds.h"
 #include "hanging_grid.h"
-#include "worlds.h"
 
 namespace drench::small_step_test {
 namespace {

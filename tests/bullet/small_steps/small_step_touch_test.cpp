@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "worlds.h"
+#include "bullet/world/worlds.h"
 
 namespace drench::small_step_touch_test {
 namespace {

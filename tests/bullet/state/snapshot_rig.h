@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "bullet/world/worlds.h"
 #include "world/deformable_world.h"
 #include "world/scene_world.h"
-#include "worlds.h"
 
 namespace drench::test {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "deformable_rig.h"
+#include "bullet/bullet_solvers/deformable_rig.h"
 #include "worlds.h"
 
 namespace drench::test {
