@@ -48,6 +48,7 @@ struct SheetMechanics {
     // Set by a SmallStepSolver, once it has found the sheet.
     std::shared_ptr<MovingSheet> moving;
     bool movedBySmallSteps = false;  // in the last substep
+    bool hasJumped = false;          // the application has put the sheet elsewhere since then
     int smallSteps = 0;              // of the last substep
     int heldSubsteps = 0;            // substeps that were held because the result was not finite
     int heldNode = -1;               // first invalid node in the last of them

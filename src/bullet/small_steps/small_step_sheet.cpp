@@ -205,10 +205,6 @@ void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechani
         ratios_[n] = {float(mechanics.stretchRatios[n]), float(mechanics.bendingRatios[n]),
                       float(mechanics.bendingFrictionRatios[n]), 0};
     }
-    farthestReach_ = 0;
-    for (const MovingNode& reach : reach_)
-        farthestReach_ = std::max(farthestReach_, vectorOf(reach).length2());
-    farthestReach_ = std::sqrt(farthestReach_);
     boundNodes(body);
     if (double(body.m_restLengthScale) == restLengthScale_) return;
     restLengthScale_ = double(body.m_restLengthScale);
@@ -219,6 +215,12 @@ void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechani
 }
 
 void SmallStepSheet::boundNodes(const btSoftBody& body) {
+    btVector3 mean(0, 0, 0);
+    for (std::size_t n = 0; n < count_; ++n) mean += vectorOf(reach_[n]) / btScalar(count_);
+    farthestPull_ = 0;
+    for (std::size_t n = 0; n < count_; ++n)
+        farthestPull_ = std::max(farthestPull_, (vectorOf(reach_[n]) - mean).length2());
+    farthestPull_ = std::sqrt(farthestPull_);
     bounds_.resize((count_ + nodesOfBounds - 1) / nodesOfBounds);
     for (std::size_t n = 0; n < count_; ++n) {
         Bounds& bounds = bounds_[n / nodesOfBounds];
@@ -243,13 +245,42 @@ void SmallStepSheet::beginNode(const btSoftBody::Node& node, std::size_t n, cons
     reach_[n] = packed(limited((node.m_v + vectorOf(acceleration_[n]) * t) * t, farthestMotion_));
 }
 
-// Whether the application has moved nothing but pins.
 bool SmallStepSheet::isWhereItWas(const btSoftBody& body) const {
     for (std::size_t n = 0; n < end_.size(); ++n) {
         const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
         if (node.m_im > 0 && node.m_x != end_[n]) return false;
     }
     return !end_.empty();
+}
+
+bool SmallStepSheet::isElsewhere(const btSoftBody& body) const {
+    for (std::size_t n = 0; n < end_.size(); ++n) {
+        const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        if (node.m_im > 0 && node.m_x == end_[n]) return false;
+    }
+    return !end_.empty();
+}
+
+void SmallStepSheet::carry(btSoftBody& body, const btTransform& from, const btTransform& to) {
+    const btMatrix3x3 turn = to.getBasis() * from.getBasis().transpose();
+    for (std::size_t n = 0; n < end_.size(); ++n) {
+        btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        node.m_x = end_[n] = turn * (node.m_x - from.getOrigin()) + to.getOrigin();
+        node.m_q = turn * (node.m_q - from.getOrigin()) + to.getOrigin();
+        node.m_v = turn * node.m_v;
+    }
+}
+
+Bounds SmallStepSheet::allBounds() const {
+    Bounds all = bounds_[0];
+    for (const Bounds& bounds : bounds_) all.take(bounds);
+    return all;
+}
+
+Bounds SmallStepSheet::boundsOf(const btSoftBody& body) {
+    Bounds all = {body.m_nodes[0].m_x, body.m_nodes[0].m_x};
+    for (int n = 1; n < body.m_nodes.size(); ++n) all.take(body.m_nodes[n].m_x);
+    return all;
 }
 
 // A pin that the application has moved moves to its new position at constant velocity during the substep.

@@ -8,30 +8,12 @@
 
 #include "bullet/sheet/sheet_mechanics.h"
 #include "bullet/simd/small_step_kernels.h"
+#include "bullet/world/bounds.h"
 #include "bullet/world/vectors.h"
 #include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
-
-// An axis-aligned box in world coordinates, m.
-struct Bounds {
-    btVector3 low, high;
-
-    void grow(btScalar by) {
-        low -= btVector3(by, by, by);
-        high += btVector3(by, by, by);
-    }
-    void take(const btVector3& point) {
-        low.setMin(point);
-        high.setMax(point);
-    }
-    bool meets(const Bounds& other) const {
-        for (int axis = 0; axis < 3; ++axis)
-            if (high[axis] < other.low[axis] || low[axis] > other.high[axis]) return false;
-        return true;
-    }
-};
 
 class BulletPass;
 
@@ -51,6 +33,15 @@ class SmallStepSheet {
     // The parts of each small step, in this order.
     void advance();
     void solveCloth();
+
+    // Whether the application has moved nothing but pins since the last substep.
+    bool isWhereItWas(const btSoftBody& body) const;
+    // Whether the application has moved all nodes but pins since the last substep, to put the sheet elsewhere.
+    bool isElsewhere(const btSoftBody& body) const;
+    // Forgets where the pins were, so that they have not moved.
+    void forgetPins() { end_.clear(); }
+    // Moves the body as a rigid displacement from one pose to another does, pins included.
+    void carry(btSoftBody& body, const btTransform& from, const btTransform& to);
 
     // Writes positions and velocities to the body.
     // @return -1 if all are valid; otherwise the first node with an invalid position. The body is then reset
@@ -77,8 +68,12 @@ class SmallStepSheet {
     // Bounds of the present and possible positions of each group of nodesOfBounds consecutive nodes.
     static constexpr std::size_t nodesOfBounds = 32;
     const std::vector<Bounds>& bounds() const { return bounds_; }
-    // The longest of these displacements, m.
-    btScalar farthestReach() const { return farthestReach_; }
+    Bounds allBounds() const;
+    // Bounds of the present positions.
+    static Bounds boundsOf(const btSoftBody& body);
+    // The largest difference of these displacements from their mean, m. Neighbours may pull a node so much farther
+    // than it would move by itself.
+    btScalar farthestPull() const { return farthestPull_; }
     double smallStep() const { return smallStep_; }
 
   private:
@@ -90,7 +85,6 @@ class SmallStepSheet {
     double arealDensity(const SheetMechanics& mechanics) const;
     double longestBendingStep(const SheetMechanics& mechanics) const;
     int stepsBetweenPlates(const SheetMechanics& mechanics, int steps) const;
-    bool isWhereItWas(const btSoftBody& body) const;
     void renewMoments();
     int firstLost() const;
     void boundNodes(const btSoftBody& body);
@@ -114,7 +108,7 @@ class SmallStepSheet {
     std::vector<MovingNode> acceleration_;   // of gravity and forces, m/s2
     std::vector<MovingNode> reach_;          // m
     std::vector<Bounds> bounds_;
-    btScalar farthestReach_ = 0;  // m
+    btScalar farthestPull_ = 0;  // m
     std::vector<NodeRatios> ratios_;
     std::vector<btVector3> end_;  // positions at the end of the last substep, m; empty at first
     std::vector<std::array<int, 3>> triangles_;

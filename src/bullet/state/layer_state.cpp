@@ -199,7 +199,10 @@ void WetCloth::Layer::mechanicsState(BulletPass& pass) {
     std::shared_ptr<MovingSheet> moving = mechanics.moving;
     if (!moving) moving = std::make_shared<MovingSheet>(mechanics);
     pass.part(moving->cloth);
-    if (pass.restores()) mechanics.moving = std::move(moving);
+    if (!pass.restores()) return;
+    moving->near.begin(body, moving->cloth.boundsOf(body), 0, true);
+    mechanics.moving = std::move(moving);
+    mechanics.hasJumped = false;
 }
 
 void WetCloth::Layer::touchState(BulletPass& pass) {
