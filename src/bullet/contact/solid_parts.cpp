@@ -17,9 +17,12 @@ class TrianglesInBox final : public btTriangleCallback {
         : parts_(parts), inSolid_(inSolid), box_(box) {}
 
     void processTriangle(btVector3* corners, int, int) override {
-        const SolidPart part = {
-            nullptr, inSolid_, {inSolid_ * corners[0], inSolid_ * corners[1], inSolid_ * corners[2]}};
-        if (part.bounds().meets(box_)) parts_.push_back(part);
+        const std::array<btVector3, 3> placed = {inSolid_ * corners[0], inSolid_ * corners[1],
+                                                 inSolid_ * corners[2]};
+        Bounds bounds = {placed[0], placed[0]};
+        bounds.take(placed[1]);
+        bounds.take(placed[2]);
+        if (bounds.meets(box_)) parts_.push_back({nullptr, inSolid_, placed, bounds});
     }
 
   private:
@@ -76,18 +79,6 @@ const btGImpactShapeInterface* gimpactCompound(const btCollisionShape& shape) {
 
 }  // namespace
 
-Bounds SolidPart::bounds() const {
-    Bounds all;
-    if (convex) {
-        convex->getAabb(inSolid, all.low, all.high);
-        return all;
-    }
-    all = {corners[0], corners[0]};
-    all.take(corners[1]);
-    all.take(corners[2]);
-    return all;
-}
-
 btScalar SolidPart::farthestAlong(const btVector3& direction) const {
     if (convex)
         return direction.dot(inSolid * convex->localGetSupportingVertex(direction * inSolid.getBasis()));
@@ -98,7 +89,8 @@ void addParts(std::vector<SolidPart>& parts, const btCollisionShape& shape, cons
               const Bounds& box) {
     if (shape.isConvex()) {
         const btVector3 none(0, 0, 0);
-        parts.push_back({static_cast<const btConvexShape*>(&shape), inSolid, {none, none, none}});
+        parts.push_back({static_cast<const btConvexShape*>(&shape), inSolid, {none, none, none}, {}});
+        shape.getAabb(inSolid, parts.back().bounds.low, parts.back().bounds.high);
     } else if (shape.isCompound()) {
         addChildren(parts, static_cast<const btCompoundShape&>(shape), inSolid, box);
     } else if (const btGImpactShapeInterface* const compound = gimpactCompound(shape)) {

@@ -18,9 +18,8 @@ struct SolidPart {
     const btConvexShape* convex;  // null for a triangle
     btTransform inSolid;          // frame of the convex shape, in the coordinates of the solid
     std::array<btVector3, 3> corners;  // of the triangle, in the coordinates of the solid, m
+    Bounds bounds;                     // around the part, in the coordinates of the solid
 
-    // Around the part, in the coordinates of the solid.
-    Bounds bounds() const;
     // The largest coordinate of the part along a direction, both in the coordinates of the solid, m.
     btScalar farthestAlong(const btVector3& direction) const;
 };

@@ -77,7 +77,7 @@ void Solid::advance(double smallStep) {
     if (isMoving_) moved_ = own_.linear * elapsed_;
     if (isTurning_) turn_ = rotation(own_.angular * elapsed_);
     shiftBefore_ = shift_;
-    if (!isPushed_) return;
+    if (!isTouched_) return;
     shift_.linear += added_.linear * smallStep_;
     shift_.angular += added_.angular * smallStep_;
     displacing_.force += pushes_.force * smallStep_;
@@ -85,7 +85,7 @@ void Solid::advance(double smallStep) {
 }
 
 void Solid::finish(btDispatcher* dispatcher) {
-    if (!isPushed_) return;
+    if (!isTouched_) return;
     if (!isMovable()) return SolidResponse::wake(*object_);
     // The reaction of a sheet that became unstable, and was held at its position, must not affect other
     // bodies.
@@ -102,7 +102,7 @@ btScalar Solid::response(const btVector3& arm, const btVector3& direction) const
 }
 
 void Solid::push(const btVector3& arm, const btVector3& push) {
-    isPushed_ = true;
+    touch();
     if (!isMovable()) return;
     const Wrench wrench = {push, turned(arm).cross(push)};
     const Twist change = response_.to(wrench);

@@ -44,6 +44,8 @@ class Solid {
     const btCollisionObject& object() const { return *object_; }
     const SolidPath& path() const { return path_; }
     bool isMovable() const { return response_.isMovable(); }
+    // Whether it neither moves nor can be pushed.
+    bool isStill() const { return isStill_; }
     bool isTurning() const { return isTurning_; }
 
     // A vector of the solid, given as it is at the start of the substep, as it is now.
@@ -63,6 +65,8 @@ class Solid {
     btTransform pose() const { return poseAt(elapsed_, shift_); }
     btTransform poseBefore() const { return poseAt(elapsed_ - smallStep_, shiftBefore_); }
 
+    // Cloth touches it, which keeps it awake.
+    void touch() { isTouched_ = true; }
     // Response of that point to an impulse along a direction: an inverse mass, 1/kg.
     btScalar response(const btVector3& arm, const btVector3& direction) const;
     // Applies an impulse at that point.
@@ -81,8 +85,8 @@ class Solid {
     Wrench pushes_, displacing_;      // sums of impulses, N s, and of impulses times the time since, N s2
     btVector3 moved_ = {0, 0, 0};     // displacement of the centre of mass along the path, m
     btMatrix3x3 turn_ = btMatrix3x3::getIdentity();  // since the start of the substep
-    bool isStill_ = true;  // neither moves nor can be pushed
-    bool isMoving_ = false, isTurning_ = false, isPushed_ = false;
+    bool isStill_ = true;
+    bool isMoving_ = false, isTurning_ = false, isTouched_ = false;
     btScalar substep_ = 0;    // s
     btScalar smallStep_ = 0;  // s
     btScalar elapsed_ = 0;    // s since the start of the substep

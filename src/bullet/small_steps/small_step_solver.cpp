@@ -11,6 +11,7 @@
 #include "bullet/contact/solids.h"
 #include "bullet/sheet/face_tree.h"
 #include "bullet/sheet/sheet_mechanics.h"
+#include "bullet/small_steps/mesh_pairs.h"
 #include "bullet/small_steps/moving_sheet.h"
 #include "bullet/small_steps/soft_contacts.h"
 #include "bullet/world/body_watch.h"
@@ -48,6 +49,10 @@ SheetMechanics* movedHere(btSoftBody& body) {
     SheetMechanics* const mechanics = mechanicsOf(body);
     const bool hasBegun = mechanics && mechanics->moving && mechanics->movedBySmallSteps;
     return hasBegun && mechanics->moving->nodes == &body.m_nodes[0] ? mechanics : nullptr;
+}
+
+bool isMovedHere(btSoftBody& body) {
+    return movedHere(body) != nullptr;
 }
 
 // Whether the application has changed the topology of a body since then.
@@ -193,6 +198,7 @@ struct SmallStepSolver::State {
 
     const SmallStepSettings settings;
     std::vector<Mover> movers;
+    MeshPairs meshPairs{isMovedHere};
     Solids solids;
     SoftContacts softContacts;
     std::vector<Solving> sheets;  // during a solve
@@ -219,7 +225,7 @@ const char* SmallStepSolver::kernels() const {
 
 void SmallStepSolver::predictMotion(btScalar substep) {
     state_->softContacts.clear();
-    bool areMoversFound = false;
+    const btSoftBody* first = nullptr;  // of those moved here
     for (int i = 0; i < m_softBodySet.size(); ++i) {
         btSoftBody& body = *m_softBodySet[i];
         if (!body.isActive()) continue;
@@ -228,10 +234,11 @@ void SmallStepSolver::predictMotion(btScalar substep) {
             body.predictMotion(substep);
             continue;
         }
-        if (!areMoversFound) state_->findMovers(body, substep);
-        areMoversFound = true;
+        if (!first) state_->findMovers(body, substep);
+        if (!first) first = &body;
         state_->predict(body, *mechanics, substep);
     }
+    if (first) state_->meshPairs.update(*first->m_worldInfo->m_broadphase, *first->m_worldInfo->m_dispatcher);
 }
 
 void SmallStepSolver::State::findMovers(btSoftBody& body, btScalar substep) {

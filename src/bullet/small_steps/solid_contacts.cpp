@@ -22,6 +22,10 @@ btScalar sagitta(btScalar farthest, btScalar angle) {
     return angle > 0 ? farthest * (1 - btCos(std::min(angle, SIMD_PI) / 2)) : 0;
 }
 
+btVector3 vector(const float (&of)[3]) {
+    return {btScalar(of[0]), btScalar(of[1]), btScalar(of[2])};
+}
+
 // Whether a proxy of that number is still in the broadphase, with that object.
 class ProxySearch final : public btBroadphaseAabbCallback {
   public:
@@ -141,9 +145,8 @@ void SolidContacts::find(const SmallStepSheet& sheet, const Solid& solid, std::s
 
 void SolidContacts::gather(const btCollisionShape& shape, const Bounds& box) {
     gathered_.clear();
-    bounds_.clear();
     addParts(gathered_, shape, btTransform::getIdentity(), box);
-    for (const SolidPart& part : gathered_) bounds_.push_back(part.bounds());
+    rows_.assign(gathered_, box);
     keptAs_.assign(gathered_.size(), notKept);
 }
 
@@ -161,23 +164,22 @@ void SolidContacts::findNode(const Search& search, std::size_t n) {
     way.grow(around);
     if (!way.meets(search.bounds)) return;
     const btScalar reach = (to - from).length();
-    for (std::size_t i = 0; i < gathered_.size(); ++i) {
-        if (!way.meets(bounds_[i])) continue;
+    rows_.forEach(way, [&](std::size_t i) {
         const SurfacePoint surface = nearestOn(gathered_[i], from, body_->m_worldInfo->m_sparsesdf);
-        if (!(surface.distance <= around + reach)) continue;
+        if (!(surface.distance <= around + reach)) return;
         if (keptAs_[i] == notKept) {
             keptAs_[i] = parts_.size();
             parts_.push_back(gathered_[i]);
         }
-        candidates_.push_back({n, keptAs_[i], search.touching, surface.distance,
+        candidates_.push_back({n, keptAs_[i], search.touching, candidates_.size(), surface.distance,
                                path.start.getBasis() * surface.normal, reach});
-    }
+    });
 }
 
 // Puts the candidates of each node side by side.
 void SolidContacts::gatherNodes() {
     const auto isBefore = [](const Candidate& a, const Candidate& b) {
-        return a.node != b.node ? a.node < b.node : a.part < b.part;
+        return a.node != b.node ? a.node < b.node : a.rank < b.rank;
     };
     if (!std::is_sorted(candidates_.begin(), candidates_.end(), isBefore))
         std::sort(candidates_.begin(), candidates_.end(), isBefore);
@@ -192,6 +194,7 @@ void SolidContacts::gatherNodes() {
     }
     if (!nodes_.empty()) slots += std::min(nodes_.back().candidates, maxContacts);
     contacts_.resize(slots);
+    planes_.resize(slots);
 }
 
 void SolidContacts::choose(NodeContacts& of, const btVector3& position, const std::vector<btTransform>& poses) {
@@ -232,7 +235,7 @@ bool SolidContacts::rises(Sight& other, const btVector3& position,
     });
 }
 
-void SolidContacts::writeContacts(NodeContacts& of, const btVector3& position,
+void SolidContacts::writeContacts(const NodeContacts& of, const btVector3& position,
                                   const std::vector<btTransform>& poses, SmallStepSheet& sheet,
                                   const Solids& solids) {
     constexpr btScalar otherFace = btScalar(-0.5);
@@ -242,10 +245,11 @@ void SolidContacts::writeContacts(NodeContacts& of, const btVector3& position,
         const Touching& touching = touching_[candidate.touching];
         const Solid& solid = solids[touching.solid];
         Contact& contact = contacts_[of.firstContact + i];
-        contact.candidate = sight.candidate;
-        contact.solid = touching.solid;
+        Plane& plane = planes_[of.firstContact + i];
+        plane.candidate = sight.candidate;
+        plane.rest = 0;
+        contact.solid = static_cast<std::uint32_t>(touching.solid);
         contact.touched = false;
-        contact.rest = 0;
         contact.friction = float(sheetFriction_->friction(touching.surface, of.node));
         // A face of the cloth adheres only once.
         const bool isFirstOfFace = i == 0 || chosen_.front().normal.dot(sight.normal) <= otherFace;
@@ -253,35 +257,42 @@ void SolidContacts::writeContacts(NodeContacts& of, const btVector3& position,
             isFirstOfFace ? float(sheetFriction_->adhesion(touching.surface, of.node)) : 0.0f;
         contact.adheres = contact.adhesion > 0 && sheetFriction_->adheresTo[of.node] == &solid.object();
         const btTransform& pose = poses[candidate.touching];
-        writePlane(contact, pose.invXform(position - sight.normal * sight.distance),
+        writePlane(of.firstContact + i, pose.invXform(position - sight.normal * sight.distance),
                    sight.normal * pose.getBasis(), of.node, sheet, solid);
     }
 }
 
 // @param point, normal  in the coordinates of the solid
-void SolidContacts::writePlane(Contact& contact, const btVector3& point, const btVector3& normal, std::size_t n,
-                               SmallStepSheet& sheet, const Solid& solid) const {
+void SolidContacts::writePlane(std::size_t contact, const btVector3& point, const btVector3& normal,
+                               std::size_t n, SmallStepSheet& sheet, const Solid& solid) {
+    Contact& written = contacts_[contact];
+    Plane& plane = planes_[contact];
     const btTransform& start = solid.path().start;
-    contact.arm = start.getBasis() * point;
-    contact.normal = start.getBasis() * normal;
-    contact.offset = body_->m_nodes[static_cast<int>(n)].m_x - (start.getOrigin() + contact.arm);
-    contact.gap = contact.normal.dot(contact.offset) - margin_;
-    contact.response = solid.response(contact.arm, solid.turned(contact.normal));
-    contact.found = vectorOf(sheet.moved(n)) - solid.displacement(contact.arm);
+    const btVector3 atStart = start.getBasis() * normal;
+    plane.arm = start.getBasis() * point;
+    plane.offset = body_->m_nodes[static_cast<int>(n)].m_x - (start.getOrigin() + plane.arm);
+    const btVector3 along = alongSolid(contact, n, sheet, solid);
+    for (int axis = 0; axis < 3; ++axis) {
+        written.normal[axis] = float(atStart[axis]);
+        written.found[axis] = float(along[axis]);
+    }
+    written.gap = float(atStart.dot(plane.offset) - margin_ + plane.rest);
+    written.response = float(solid.response(plane.arm, solid.turned(atStart)));
 }
 
-// Moves a node out without changing its velocity, and by at most the margin of the cloth at a time; the rest is left to
-// the next substep.
-void SolidContacts::lift(SmallStepSheet& sheet, NodeContacts& of, const Solids& solids) {
-    for (std::size_t i = 0; i < of.contacts; ++i) {
-        Contact& contact = contacts_[of.firstContact + i];
+// Moves a node out without changing its velocity, and by at most the margin of the cloth at a time; the rest
+// is left to the next substep.
+void SolidContacts::lift(SmallStepSheet& sheet, const NodeContacts& of, const Solids& solids) {
+    for (std::size_t i = of.firstContact; i < of.firstContact + of.contacts; ++i) {
+        Contact& contact = contacts_[i];
         const Solid& solid = solids[contact.solid];
-        const btScalar inside = -gapOf(contact, solid, alongSolid(contact, of.node, sheet, solid));
+        const btScalar inside = -gapOf(i, solid, alongSolid(i, of.node, sheet, solid));
         if (inside <= 0) continue;
         contact.adheres = contact.adhesion > 0;
         const btScalar lifted = std::min(inside, margin_);
-        sheet.place(of.node, contact.normal * lifted);
-        contact.rest = inside - lifted;
+        sheet.place(of.node, vector(contact.normal) * lifted);
+        planes_[i].rest = inside - lifted;
+        contact.gap += float(inside - lifted);
     }
 }
 
@@ -291,51 +302,55 @@ void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
 }
 
 void SolidContacts::solveNode(NodeContacts& of, SmallStepSheet& sheet, Solids& solids) {
-    for (std::size_t i = 0; i < of.contacts; ++i) {
-        Contact& contact = contacts_[of.firstContact + i];
-        Solid& solid = solids[contact.solid];
-        const btVector3 along = alongSolid(contact, of.node, sheet, solid);
-        const btScalar gap = gapOf(contact, solid, along);
-        // A convex part lies behind its tangent plane, so that plane need not be renewed before the node comes to it.
+    for (std::size_t i = of.firstContact; i < of.firstContact + of.contacts; ++i) {
+        Solid& solid = solids[contacts_[i].solid];
+        const btVector3 along = alongSolid(i, of.node, sheet, solid);
+        const btScalar gap = gapOf(i, solid, along);
+        // A convex part lies behind its tangent plane, so that plane need not be found again before the node
+        // comes to it.
         const bool mayTouchElse = gap < 0 || of.candidates > 1;
-        if (mayTouchElse && (along - contact.found).length2() > margin_ * margin_ / 4)
+        if (mayTouchElse && (along - vector(contacts_[i].found)).length2() > margin_ * margin_ / 4)
             return solveAnew(of, sheet, solids);
-        solveContact(contact, of.node, gap, sheet, solid);
+        solveContact(i, of.node, gap, sheet, solid);
     }
 }
 
 void SolidContacts::solveAnew(NodeContacts& of, SmallStepSheet& sheet, Solids& solids) {
     renew(of, sheet, solids);
-    for (std::size_t i = 0; i < of.contacts; ++i) {
-        Contact& contact = contacts_[of.firstContact + i];
-        Solid& solid = solids[contact.solid];
-        btScalar gap = gapOf(contact, solid, alongSolid(contact, of.node, sheet, solid));
+    for (std::size_t i = of.firstContact; i < of.firstContact + of.contacts; ++i) {
+        Solid& solid = solids[contacts_[i].solid];
+        btScalar gap = gapOf(i, solid, alongSolid(i, of.node, sheet, solid));
         if (gap < 0) {
-            if (!reaches(contact, of.node, sheet, solid)) continue;
-            gap = gapOf(contact, solid, alongSolid(contact, of.node, sheet, solid));
+            if (!reaches(i, of.node, sheet, solid)) continue;
+            gap = gapOf(i, solid, alongSolid(i, of.node, sheet, solid));
         }
-        solveContact(contact, of.node, gap, sheet, solid);
+        solveContact(i, of.node, gap, sheet, solid);
     }
 }
 
-void SolidContacts::solveContact(Contact& contact, std::size_t n, btScalar gap, SmallStepSheet& sheet,
+void SolidContacts::solveContact(std::size_t contact, std::size_t n, btScalar gap, SmallStepSheet& sheet,
                                  Solid& solid) {
-    contact.adheres = adhesionHolds(contact.adhesion, contact.adheres || gap < 0, double(gap), double(reach_));
+    Contact& solved = contacts_[contact];
+    solved.adheres =
+        adhesionHolds(double(solved.adhesion), solved.adheres || gap < 0, double(gap), double(reach_));
     // Not for values that are not finite either.
-    if (!((gap < 0 || contact.adheres) && std::abs(gap) < std::numeric_limits<btScalar>::max())) return;
-    contact.touched = true;
-    hold(sheet, n, contact, solid, -gap);
+    if (!((gap < 0 || solved.adheres) && std::abs(gap) < std::numeric_limits<btScalar>::max())) return;
+    solved.touched = true;
+    solid.touch();
+    hold(contact, sheet, n, solid, -gap);
 }
 
-// Displacement of a node along a solid since the start of the substep.
-btVector3 SolidContacts::alongSolid(const Contact& contact, std::size_t n, SmallStepSheet& sheet,
-                                    const Solid& solid) {
-    return vectorOf(sheet.moved(n)) - solid.displacement(contact.arm);
+btVector3 SolidContacts::alongSolid(std::size_t contact, std::size_t n, SmallStepSheet& sheet,
+                                    const Solid& solid) const {
+    const btVector3 moved = vectorOf(sheet.moved(n));
+    return solid.isStill() ? moved : moved - solid.displacement(planes_[contact].arm);
 }
 
-btScalar SolidContacts::gapOf(const Contact& contact, const Solid& solid, const btVector3& along) const {
-    if (!solid.isTurning()) return contact.gap + contact.rest + contact.normal.dot(along);
-    return solid.turned(contact.normal).dot(contact.offset + along) - margin_ + contact.rest;
+btScalar SolidContacts::gapOf(std::size_t contact, const Solid& solid, const btVector3& along) const {
+    const Contact& of = contacts_[contact];
+    if (!solid.isTurning()) return btScalar(of.gap) + vector(of.normal).dot(along);
+    const Plane& plane = planes_[contact];
+    return solid.turned(vector(of.normal)).dot(plane.offset + along) - margin_ + plane.rest;
 }
 
 void SolidContacts::renew(NodeContacts& of, SmallStepSheet& sheet, const Solids& solids) {
@@ -358,82 +373,94 @@ void SolidContacts::renew(NodeContacts& of, SmallStepSheet& sheet, const Solids&
         sights_.push_back({of.firstCandidate + i, surface.distance, pose.getBasis() * surface.normal,
                            (step - solid.step(arm)).length()});
     }
-    before_.assign(contacts_.begin() + static_cast<std::ptrdiff_t>(of.firstContact),
-                   contacts_.begin() + static_cast<std::ptrdiff_t>(of.firstContact + of.contacts));
+    const auto first = static_cast<std::ptrdiff_t>(of.firstContact);
+    const auto end = first + static_cast<std::ptrdiff_t>(of.contacts);
+    contactsBefore_.assign(contacts_.begin() + first, contacts_.begin() + end);
+    planesBefore_.assign(planes_.begin() + first, planes_.begin() + end);
     choose(of, position, poses_);
     writeContacts(of, position, poses_, sheet, solids);
     for (std::size_t i = 0; i < of.contacts; ++i)
-        goOn(contacts_[of.firstContact + i], std::max(btScalar(0), margin_ - chosen_[i].distance));
+        goOn(of.firstContact + i, std::max(btScalar(0), margin_ - chosen_[i].distance));
 }
 
-// A contact goes on with what it has been through in this substep, on the same part or on a neighbour that faces alike.
-void SolidContacts::goOn(Contact& contact, btScalar depth) const {
-    for (const Contact& known : before_) {
-        if (known.solid != contact.solid) continue;
-        if (known.candidate != contact.candidate && !faceAlike(known.normal, contact.normal)) continue;
-        contact.touched = contact.touched || known.touched;
-        contact.adheres = contact.adhesion > 0 && (contact.adheres || known.adheres);
-        contact.rest = std::max(contact.rest, std::min(known.rest, depth));
+// A contact goes on with what it has been through in this substep, on the same part or on a neighbour that
+// faces alike.
+void SolidContacts::goOn(std::size_t contact, btScalar depth) {
+    Contact& now = contacts_[contact];
+    Plane& plane = planes_[contact];
+    for (std::size_t i = 0; i < contactsBefore_.size(); ++i) {
+        const Contact& before = contactsBefore_[i];
+        if (before.solid != now.solid) continue;
+        if (planesBefore_[i].candidate != plane.candidate &&
+            !faceAlike(vector(before.normal), vector(now.normal)))
+            continue;
+        now.touched = now.touched || before.touched;
+        now.adheres = now.adhesion > 0 && (now.adheres || before.adheres);
+        plane.rest = std::max(plane.rest, std::min(planesBefore_[i].rest, depth));
     }
+    now.gap += float(plane.rest);
 }
 
-bool SolidContacts::reaches(Contact& contact, std::size_t n, SmallStepSheet& sheet,
-                            const Solid& solid) const {
+bool SolidContacts::reaches(std::size_t contact, std::size_t n, SmallStepSheet& sheet, const Solid& solid) {
     const btVector3 end = body_->m_nodes[static_cast<int>(n)].m_x + vectorOf(sheet.moved(n));
     const btVector3 from = solid.poseBefore().invXform(end - sheet.step(n)), to = solid.pose().invXform(end);
     const btScalar length = (to - from).length();
     if (length < margin_ / 2) return true;
+    const SolidPart& part = parts_[candidates_[planes_[contact].candidate].part];
     // Conservative advancement: as far at a time as the surface is away.
     constexpr int most = 16;
-    const SolidPart& part = partOf(contact);
+    constexpr auto touching = btScalar(1.05);  // margins
     btScalar time = 0;
+    SurfacePoint surface;
+    btVector3 point;
     for (int i = 0; i < most; ++i) {
-        const btVector3 point = from + (to - from) * time;
-        const SurfacePoint surface = nearestOn(part, point, body_->m_worldInfo->m_sparsesdf);
-        if (surface.distance < margin_ * btScalar(1.05) || i + 1 == most) {
-            if (part.convex || i > 0)
-                writePlane(contact, point - surface.normal * surface.distance, surface.normal, n, sheet, solid);
-            return true;
-        }
+        point = from + (to - from) * time;
+        surface = nearestOn(part, point, body_->m_worldInfo->m_sparsesdf);
+        if (surface.distance < touching * margin_) break;
         time += (surface.distance - margin_) / length;
         if (time >= 1) return false;
     }
+    if (time > 0) writePlane(contact, point - surface.normal * surface.distance, surface.normal, n, sheet, solid);
     return true;
 }
 
-void SolidContacts::hold(SmallStepSheet& sheet, std::size_t n, const Contact& contact, Solid& solid,
-                         btScalar depth) const {
+void SolidContacts::hold(std::size_t contact, SmallStepSheet& sheet, std::size_t n, Solid& solid,
+                         btScalar depth) {
+    const Contact& holding = contacts_[contact];
     MovingNode& node = sheet.moved(n);
-    const btVector3 normal = solid.turned(contact.normal);
+    const btVector3 normal = solid.turned(vector(holding.normal));
     const auto inverseMass = btScalar(node.inverseMass);
     const auto h = btScalar(sheet.smallStep());
-    const ContactLaw law = {btScalar(contact.friction),
-                            contact.adheres ? btScalar(contact.adhesion) * h * h : btScalar(0)};
-    const btScalar push = law.push(depth / (inverseMass + contact.response));
-    const btVector3 slip = alongSurface(sheet.step(n) - solid.step(contact.arm), normal);
+    const ContactLaw law = {btScalar(holding.friction),
+                            holding.adheres ? btScalar(holding.adhesion) * h * h : btScalar(0)};
+    const btScalar push = law.push(depth / (inverseMass + btScalar(holding.response)));
+    btVector3 slip = sheet.step(n);
+    if (!solid.isStill()) slip -= solid.step(planes_[contact].arm);
+    slip = alongSurface(slip, normal);
     const btScalar length = slip.length();
     btVector3 total = normal * push;
     if (length > 0) {
         // A solid that can rotate yields more to a tangential force than to a normal one.
-        const btScalar giving = inverseMass + solid.response(contact.arm, slip / length);
+        btScalar giving = inverseMass;
+        if (solid.isMovable()) giving += solid.response(planes_[contact].arm, slip / length);
         total -= drag(slip, length, length / giving, law.maxFriction(push));
     }
     shift(node, total * inverseMass);
-    solid.push(contact.arm, -total);
+    if (!solid.isStill()) solid.push(planes_[contact].arm, -total);
 }
 
 void SolidContacts::finish(btSoftBody& body, Friction& sheetFriction, const Solids& solids,
                            double substep) const {
     std::fill(sheetFriction.adheresTo.begin(), sheetFriction.adheresTo.end(), nullptr);
     for (const NodeContacts& of : nodes_)
-        for (std::size_t i = 0; i < of.contacts; ++i) {
-            const Contact& contact = contacts_[of.firstContact + i];
+        for (std::size_t i = of.firstContact; i < of.firstContact + of.contacts; ++i) {
+            const Contact& contact = contacts_[i];
             if (!contact.touched) continue;
             const Solid& solid = solids[contact.solid];
             if (contact.adheres) sheetFriction.adheresTo[of.node] = &solid.object();
-            const btVector3 normal = solid.turned(contact.normal);
-            const btVector3 point =
-                solid.path().start.getOrigin() + contact.arm + solid.displacement(contact.arm);
+            const btVector3 normal = solid.turned(vector(contact.normal));
+            const btVector3& arm = planes_[i].arm;
+            const btVector3 point = solid.path().start.getOrigin() + arm + solid.displacement(arm);
             btSoftBody::RContact found;
             btSoftBody::Node& node = body.m_nodes[static_cast<int>(of.node)];
             found.m_cti.m_colObj = &solid.object();
@@ -441,7 +468,7 @@ void SolidContacts::finish(btSoftBody& body, Friction& sheetFriction, const Soli
             found.m_cti.m_offset = -normal.dot(point) - margin_;
             found.m_node = &node;
             found.m_c0.setIdentity();
-            found.m_c1 = solid.turned(contact.arm);
+            found.m_c1 = solid.turned(arm);
             found.m_c2 = node.m_im * btScalar(substep);
             found.m_c3 = btScalar(contact.friction);
             found.m_c4 = 1;

@@ -3,10 +3,12 @@
 
 #include <BulletSoftBody/btSoftBody.h>
 
+#include <cstdint>
 #include <vector>
 
 #include "bullet/contact/friction.h"
 #include "bullet/contact/near_solids.h"
+#include "bullet/contact/parts_in_rows.h"
 #include "bullet/contact/solid_distance.h"
 #include "bullet/contact/solids.h"
 #include "bullet/small_steps/small_step_sheet.h"
@@ -52,6 +54,7 @@ class SolidContacts {
     // A part of a solid that a node may touch.
     struct Candidate {
         std::size_t node, part, touching;  // indices
+        std::size_t rank;                  // in the order in which they were found
         btScalar distance;  // of the node at the start of the substep, m
         btVector3 normal;   // then, in the world
         btScalar reach;     // how far the node may move along the solid in the substep, m
@@ -64,19 +67,22 @@ class SolidContacts {
         btScalar reach;     // how far the node may move along the solid, m
     };
     struct Contact {
-        std::size_t candidate;
-        btVector3 normal;      // at the start of the substep
-        btScalar gap;          // from the plane to the node, both at the start of the substep, m
-        btScalar rest;         // depth in which the node is left until the next substep, m
-        float friction;        // friction coefficient
-        float adhesion;        // adhesive force, N
+        float normal[3];  // at the start of the substep
+        float gap;        // from the plane to the node, both at the start of the substep, m
+        float found[3];   // displacement of the node along the solid when the plane was found, m
+        float friction;   // friction coefficient
+        float adhesion;   // adhesive force, N
+        float response;   // of the solid, 1/kg
+        std::uint32_t solid;  // index
         bool adheres;
         bool touched;
-        btScalar response;     // of the solid, 1/kg
-        std::size_t solid;     // index
-        btVector3 arm;         // of the plane's point
-        btVector3 offset;      // from that point to the node, both at the start of the substep, m
-        btVector3 found;       // displacement of the node along the solid when the plane was found, m
+    };
+    // Data that only few contacts need, at the same index.
+    struct Plane {
+        std::size_t candidate;
+        btVector3 arm;     // of the plane's point
+        btVector3 offset;  // from that point to the node, both at the start of the substep, m
+        btScalar rest;     // depth in which the node is left until the next substep, m
     };
     // The candidates and contacts of one node, as ranges of indices.
     struct NodeContacts {
@@ -92,32 +98,29 @@ class SolidContacts {
     void gather(const btCollisionShape& shape, const Bounds& box);
     void findNode(const Search& search, std::size_t n);
     void gatherNodes();
-    void lift(SmallStepSheet& sheet, NodeContacts& of, const Solids& solids);
+    void lift(SmallStepSheet& sheet, const NodeContacts& of, const Solids& solids);
 
     // Chooses the planes of a node among the parts in `sights_`.
     // @param poses  of the touching solids
     void choose(NodeContacts& of, const btVector3& position, const std::vector<btTransform>& poses);
     bool rises(Sight& other, const btVector3& position, const std::vector<btTransform>& poses) const;
-    void writeContacts(NodeContacts& of, const btVector3& position, const std::vector<btTransform>& poses,
+    void writeContacts(const NodeContacts& of, const btVector3& position, const std::vector<btTransform>& poses,
                        SmallStepSheet& sheet, const Solids& solids);
-    void writePlane(Contact& contact, const btVector3& point, const btVector3& normal, std::size_t n,
-                    SmallStepSheet& sheet, const Solid& solid) const;
+    void writePlane(std::size_t contact, const btVector3& point, const btVector3& normal, std::size_t n,
+                    SmallStepSheet& sheet, const Solid& solid);
 
     void solveNode(NodeContacts& of, SmallStepSheet& sheet, Solids& solids);
     void solveAnew(NodeContacts& of, SmallStepSheet& sheet, Solids& solids);
-    void solveContact(Contact& contact, std::size_t n, btScalar gap, SmallStepSheet& sheet, Solid& solid);
-    static btVector3 alongSolid(const Contact& contact, std::size_t n, SmallStepSheet& sheet, const Solid& solid);
-    btScalar gapOf(const Contact& contact, const Solid& solid, const btVector3& along) const;
+    void solveContact(std::size_t contact, std::size_t n, btScalar gap, SmallStepSheet& sheet, Solid& solid);
+    // Displacement of a node along a solid since the start of the substep.
+    btVector3 alongSolid(std::size_t contact, std::size_t n, SmallStepSheet& sheet, const Solid& solid) const;
+    btScalar gapOf(std::size_t contact, const Solid& solid, const btVector3& along) const;
     // Finds the planes of a node again, where it is at the start of the small step.
     void renew(NodeContacts& of, SmallStepSheet& sheet, const Solids& solids);
-    void goOn(Contact& contact, btScalar depth) const;
+    void goOn(std::size_t contact, btScalar depth);
     // Whether the node reaches the part of a contact in the small step; the plane is then that of the place.
-    bool reaches(Contact& contact, std::size_t n, SmallStepSheet& sheet, const Solid& solid) const;
-    void hold(SmallStepSheet& sheet, std::size_t n, const Contact& contact, Solid& solid, btScalar depth) const;
-
-    const SolidPart& partOf(const Contact& contact) const {
-        return parts_[candidates_[contact.candidate].part];
-    }
+    bool reaches(std::size_t contact, std::size_t n, SmallStepSheet& sheet, const Solid& solid);
+    void hold(std::size_t contact, SmallStepSheet& sheet, std::size_t n, Solid& solid, btScalar depth);
 
     btSoftBody* body_ = nullptr;
     const Friction* sheetFriction_ = nullptr;
@@ -129,12 +132,14 @@ class SolidContacts {
     std::vector<Candidate> candidates_;
     std::vector<NodeContacts> nodes_;
     std::vector<Contact> contacts_;
+    std::vector<Plane> planes_;  // at the same index
     // For use within functions.
     std::vector<SolidPart> gathered_;
-    std::vector<Bounds> bounds_;      // of gathered_
+    PartsInRows rows_;                // of gathered_
     std::vector<std::size_t> keptAs_; // index in parts_ of each of gathered_
     std::vector<Sight> sights_, chosen_;
-    std::vector<Contact> before_;  // of a node, while its planes are found again
+    std::vector<Contact> contactsBefore_;  // of a node, while its planes are found again
+    std::vector<Plane> planesBefore_;
     std::vector<btTransform> startPoses_, poses_;  // of touching_: at the start of the substep and of the small step
     bool posesAreOfThisStep_ = false;
 };

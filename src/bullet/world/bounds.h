@@ -25,9 +25,9 @@ struct Bounds {
         high.setMax(other.high);
     }
     bool meets(const Bounds& other) const {
-        for (int axis = 0; axis < 3; ++axis)
-            if (high[axis] < other.low[axis] || low[axis] > other.high[axis]) return false;
-        return true;
+        // Without branches, because boxes that miss each other do so along any axis.
+        return (high.x() >= other.low.x()) & (low.x() <= other.high.x()) & (high.y() >= other.low.y()) &
+               (low.y() <= other.high.y()) & (high.z() >= other.low.z()) & (low.z() <= other.high.z());
     }
     btScalar halfDiagonal() const { return (high - low).length() / 2; }
     // The box around this one in the coordinates of a frame.
