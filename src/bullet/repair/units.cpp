@@ -23,9 +23,11 @@ constexpr Unit units[] = {
 
 // The unit of length in which the gravity of the earth has this value; null if there is none.
 const Unit* unitOf(double gravity) {
-    constexpr double tolerance = 0.025;  // 9.8, 9.81 and 10 are in use
+    // 9.8, 9.81 and 10 are in use. A weak gravity of a round 1 or 0.1 m/s2 is a choice, though.
+    constexpr double inUse = 0.025, exact = 0.005;
     for (const Unit& unit : units)
-        if (std::abs(gravity * unit.metres / standardGravity - 1) < tolerance) return &unit;
+        if (std::abs(gravity * unit.metres / standardGravity - 1) < (unit.metres < 1 ? inUse : exact))
+            return &unit;
     return nullptr;
 }
 

@@ -22,7 +22,7 @@ struct ScaleSigns {
 Eigen::Vector2d materialSize(const ClothMesh& mesh);
 
 // What looks like another unit, and how to correct it; empty if nothing does. Signs are a gravity of the
-// earth's in another unit of length (within 2.5 %) or above 100 m/s2, a sheet longer than 50 m or shorter than
+// earth's in another unit of length or above 100 m/s2, a sheet longer than 50 m or shorter than
 // 1 cm, and links below 0.1 mm. All other gravities are possible: none, in a lift, and of the moon to Jupiter.
 std::string wrongUnit(const ScaleSigns& signs);
 

@@ -4,10 +4,10 @@
 #include <BulletSoftBody/btDeformableGravityForce.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "bullet/world/limits.h"
 #include "bullet/world/soft_world.h"
+#include "bullet/world/vectors.h"
 #include "checks/text.h"
 
 namespace drench {
@@ -17,13 +17,10 @@ namespace {
 
 using Place = GravityPlace;
 
-double strengthOf(const btVector3& gravity) {
-    return std::hypot(double(gravity.x()), double(gravity.y()), double(gravity.z()));
-}
-
 bool areAlike(const btVector3& one, const btVector3& two) {
     constexpr double tolerance = 0.05;
-    return strengthOf(one - two) <= tolerance * std::max(strengthOf(one), strengthOf(two));
+    return strengthOfGravity(one - two) <=
+           tolerance * std::max(strengthOfGravity(one), strengthOfGravity(two));
 }
 
 // Whether it is what Bullet's constructors set.
@@ -112,8 +109,13 @@ Gravity gravityOf(btDiscreteDynamicsWorld& world) {
     return chooseDeformable(forceOn(nullptr, world), 1, ofInfo, ofWorld, false);
 }
 
+// Not std::hypot, which some libraries let return 0 for (0, NaN, 0).
+double strengthOfGravity(const btVector3& gravity) {
+    return toEigen(gravity).norm();
+}
+
 bool isValidGravity(const btVector3& gravity) {
-    return strengthOf(gravity) <= strongestGravity;
+    return strengthOfGravity(gravity) <= strongestGravity;
 }
 
 const char* nameOf(GravityPlace place) {

@@ -39,6 +39,8 @@ Gravity gravityOf(btDiscreteDynamicsWorld& world, const btSoftBody& body, bool i
 // The same for what falls without belonging to a body.
 Gravity gravityOf(btDiscreteDynamicsWorld& world);
 
+// Its length, m/s2; not a number if a component is not.
+double strengthOfGravity(const btVector3& gravity);
 // Whether it is finite and at most `strongestGravity`.
 bool isValidGravity(const btVector3& gravity);
 
