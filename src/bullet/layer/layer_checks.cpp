@@ -144,8 +144,8 @@ void WetCloth::Layer::repairBody() {
 
 void WetCloth::Layer::readGravity() {
     const Gravity found = gravityOf(world, body, ownGravity);
-    if (found.disagrees) reportGravities(found);
     if (isValidGravity(found.value)) {
+        if (found.disagrees) reportGravities(found);
         mechanics.gravity = found.value;
         return;
     }

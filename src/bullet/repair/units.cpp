@@ -41,7 +41,8 @@ Eigen::Vector2d materialSize(const ClothMesh& mesh) {
 }
 
 std::string wrongUnit(const ScaleSigns& signs) {
-    constexpr double longest = 50, shortest = 0.01, shortestLink = 1e-4, strongest = 100;
+    constexpr double rounding = 1e-5, longest = 50 * (1 + rounding), shortest = 0.01 * (1 - rounding),
+                     shortestLink = 1e-4 * (1 - rounding), strongest = 100;
     const double length = signs.size.maxCoeff();
     const Unit* const unit = unitOf(signs.gravity);
     const bool isLarge = length > longest, isSmall = length < shortest || signs.meanLink < shortestLink;
@@ -52,7 +53,7 @@ std::string wrongUnit(const ScaleSigns& signs) {
                                         : "another unit of length or time";
     const std::string mend =
         unit ? textOf("multiply all lengths by ", unit->metres, " and give a gravity of 9.81")
-             : "scale all lengths and the gravity";
+             : "give all lengths in metres and gravity in m/s2";
     return textOf("the sheet measures ", sixDigits(signs.size.x()), " x ", sixDigits(signs.size.y()),
                   " m with links of ", sixDigits(signs.meanLink), " m and weighs ", sixDigits(signs.mass),
                   " kg, and gravity is ", sixDigits(signs.gravity), " m/s2: this looks like ", guess,

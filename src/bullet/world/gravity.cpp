@@ -58,7 +58,8 @@ const btDeformableGravityForce* forceOn(const btSoftBody* body, btDiscreteDynami
     return found;
 }
 
-// In a deformable world, whose world info moves nothing: only a value that somebody has written there counts.
+// In a deformable world, whose world info moves nothing: only a value that somebody has written there counts,
+// and zero is not one that could mislead.
 Gravity chooseDeformable(const btDeformableGravityForce* force, btScalar factor, const btVector3& ofInfo,
                          const btVector3& ofWorld, bool isOwn) {
     const bool infoIsSet = !isUntouchedInDeformable(ofInfo);
@@ -67,7 +68,7 @@ Gravity chooseDeformable(const btDeformableGravityForce* force, btScalar factor,
         const btVector3 value = ofForce * factor;
         if (isOwn || ofForce.isZero()) return agreed(value, Place::force);
         if (!areAlike(ofForce, ofWorld)) return {value, Place::force, true, ofWorld, Place::world};
-        if (infoIsSet && !areAlike(ofForce, ofInfo))
+        if (infoIsSet && !ofInfo.isZero() && !areAlike(ofForce, ofInfo))
             return {value, Place::force, true, ofInfo, Place::worldInfo};
         return agreed(value, Place::force);
     }

@@ -63,6 +63,7 @@ TEST(Units, AGravityBeyondAllPlanetsIsReported) {
 
 TEST(Units, WhatIsOnlyUnusualIsNot) {
     constexpr double doll = 0.03, tent = 40;
+    for (const double length : {0.01, 50.0}) EXPECT_TRUE(reportsOf(length, 9.81).empty()) << length;
     for (const double length : {doll, 0.5, 2.0, tent})
         for (const double gravity : {0.0, 1e-6, 0.1, 0.28, 0.62, 1.0, 1.31, 1.62, 3.72, 8.87, 9.8, 9.81, 10.0,
                                      19.6, 24.8, 29.4, 49.0})
