@@ -49,8 +49,8 @@ struct SmallStepSettings {
 /// solved by Bullet, bit-identically.
 ///
 /// Body settings that are used:
-/// - gravity of the world info, forces in m_f, pins, anchors with their influence, pressure and volume (kPR, kVC),
-///   timescale. A pin that is moved through m_x moves at constant velocity during the substep;
+/// - gravity (see `SheetSettings::ownGravity`), forces in m_f, pins, anchors with their influence, pressure and volume
+///   (kPR, kVC), timescale. A pin that is moved through m_x moves at constant velocity during the substep;
 /// - m_cfg.kDP as a rate, 1/s: the velocity is multiplied by exp(-kDP t) (Bullet: by 1 - kDP per substep);
 /// - kDF times a solid's friction as the friction coefficient of dry cloth, unless WetCloth::setSurface was called for
 ///   the solid; between soft bodies the larger kDF. Water changes both, and adds adhesion;

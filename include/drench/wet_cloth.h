@@ -68,6 +68,17 @@ struct SheetSettings {
 
     /// What to do about problems while the world runs; default: repair and report them.
     OnTrouble onTrouble = OnTrouble::carryOn;
+
+    /// Whether the sheet is meant to have another gravity than the world. A sheet and its water have the gravity with
+    /// which Bullet moves the body: in the deformable world that of its btDeformableGravityForce, times
+    /// setGravityFactor; in other worlds that of the body's world info. If false, the default, that gravity is compared
+    /// with world.setGravity, and a difference of more than 5 % is `Trouble::gravityPlaces`, unless it is zero. If the
+    /// world info still has Bullet's (0, -10, 0), or there is no such force, the world's is used instead (without a
+    /// force the body does not fall, but its water does). If true, the body's gravity is used in any case.
+    bool ownGravity = false;
+
+    /// Whether a size or gravity that looks like another unit is meant: then it is no `Trouble::units`. Default false.
+    bool unusualScale = false;
 };
 
 /// Adds water to one btSoftBody: before each of Bullet's substeps sources add their water, the water moves (see

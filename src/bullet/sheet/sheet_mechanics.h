@@ -1,6 +1,8 @@
 // Mechanical properties of a sheet for the solvers: its cloth at rest, and the effect of its water.
 #pragma once
 
+#include <LinearMath/btVector3.h>
+
 #include <memory>
 #include <vector>
 
@@ -44,6 +46,8 @@ struct SheetMechanics {
     std::vector<double> stretchRatios;          // ratio of wet to dry
     std::vector<double> bendingRatios;          // ratio of wet to dry
     std::vector<double> bendingFrictionRatios;  // ratio of wet to dry
+
+    btVector3 gravity = btVector3(0, 0, 0);  // of the body in this substep, m/s2; see gravityOf
 
     // Set by a SmallStepSolver, once it has found the sheet.
     std::shared_ptr<MovingSheet> moving;

@@ -193,8 +193,9 @@ void SmallStepSheet::packPlates(const SheetMechanics& mechanics) {
 void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechanics, double substep) {
     substep_ = substep;
     damping_ = double(body.m_cfg.kDP);
+    // Where the sheet's gravity is another, its layer has added the difference to the forces.
     const btVector3& gravity = body.m_worldInfo->m_gravity;
-    gravity_ = double(gravity.length());
+    gravity_ = double(mechanics.gravity.length());
     farthestMotion_ = body.m_worldInfo->m_maxDisplacement;
     origin_ = body.m_nodes[0].m_x;
     const bool pinsGoOn = isWhereItWas(body);

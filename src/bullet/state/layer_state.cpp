@@ -78,8 +78,8 @@ void WetCloth::Layer::restore(const Snapshot& snapshot) {
     checkSameSheet(snapshot);
     checkSections(snapshot);
     restoreSections(snapshot);
-    pose.gather(body, mesh);  // positions for repairs
-    world.updateAabbs();      // rays search there before the next step updates them
+    pose.gather(body, mesh, mechanics.gravity);  // positions for repairs
+    world.updateAabbs();                         // rays search there before the next step updates them
 }
 
 void WetCloth::Layer::checkBetweenSteps() const {
