@@ -60,9 +60,18 @@ struct SmallStepSettings {
 /// Body settings that are ignored: iterations, kVCF, hardness of contacts and anchors (kCHR, kKHR, kSHR, kAHR),
 /// material stiffness, and links for bending, because triangles bend.
 ///
-/// Dynamic solids react to the cloth: at the end of the substep its impulses change their velocity, and their position
-/// unless other solids touch them. Links of a btMultiBody are treated as fixed and do not react. After the step
-/// m_rcontacts and m_scontacts contain its contacts. If a substep produces a position that is not finite, the sheet
+/// Solids of every kind push and carry cloth along the path on which they move within a substep: dynamic and kinematic
+/// rigid bodies, links of a btMultiBody, and static bodies and ghosts that the application moves (ghosts only if they have
+/// contact response). A frame may have several substeps. Rigid bodies and links react to the cloth: at the end of the
+/// substep its impulses change their velocity, and their position unless other solids touch them. Shapes may be any but
+/// planes and btSdfCollisionShape; triangles are taken from meshes and height fields as these are at the moment.
+///
+/// A solid that the application moves by more than 0.5 m from one frame to the next and at more than 30 m/s, or turns by
+/// more than 120 degrees, has jumped: it is where it is now and pushes nothing on its way, and a sheet that is anchored to
+/// it is carried along. The same holds for a kinematic body whose interpolation transform the application has set, too, and
+/// for all solids around a sheet whose nodes it has all moved. `WetCloth::jumped` says so for anything else.
+///
+/// After the step m_rcontacts and m_scontacts contain its contacts. If a substep produces a position that is not finite, the sheet
 /// stays where it was, with velocity 0; see SheetHealth.
 class DRENCH_API SmallStepSolver final : public btDefaultSoftBodySolver {
   public:

@@ -251,6 +251,14 @@ class DRENCH_API WetCloth {
     /// Computing times of the steps so far.
     StepTimes times() const;
 
+    /// Says that the application has put the sheet, with its anchors and the solids around it, to another place since the
+    /// last step, for instance at a respawn or a shift of the origin. What has moved in between then counts as a jump, not
+    /// as motion: in the next substep the SmallStepSolver takes pins, kinematic bodies, static bodies and ghosts where they
+    /// are now, at rest. Velocities of nodes and dynamic bodies are kept. Calls are not needed where all nodes were moved,
+    /// as btSoftBody::transform does, nor where a solid moves as far and fast as described in `SmallStepSolver`.
+    /// Does nothing with other solvers.
+    void jumped();
+
     /// Prepares the substep that is about to begin: sources, water, node masses, stiffness and forces. Only for
     /// `Stepping::byApplication`; otherwise the world calls it, and exceptions leave stepSimulation: Bullet then skips
     /// the substep, other sheets may already have been prepared for it, and world.clearForces() must be called before

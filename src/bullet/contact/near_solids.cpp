@@ -63,7 +63,8 @@ void NearSolids::begin(const btSoftBody& sheet, Bounds bounds, double substep, b
     constexpr double farEnough = 1;  // m
     bounds.grow(btScalar(std::max(farEnough, jumpSpeed * substep)));
     Finder finder(*this);
-    if (sheet.getBroadphaseHandle()) sheet.m_worldInfo->m_broadphase->aabbTest(bounds.low, bounds.high, finder);
+    if (sheet.m_worldInfo->m_broadphase)
+        sheet.m_worldInfo->m_broadphase->aabbTest(bounds.low, bounds.high, finder);
     for (int i = 0; i < sheet.m_anchors.size(); ++i) add(*sheet.m_anchors[i].m_body);
     std::sort(seen_.begin(), seen_.end());
     seen_.erase(std::unique(seen_.begin(), seen_.end()), seen_.end());
@@ -73,6 +74,12 @@ void NearSolids::begin(const btSoftBody& sheet, Bounds bounds, double substep, b
         while (last != last_.end() && *last < seen) ++last;
         follow(seen, last != last_.end() && *last == seen ? &*last : nullptr, btScalar(substep));
     }
+}
+
+void NearSolids::observe(const btSoftBody& sheet) {
+    Bounds bounds = {sheet.m_nodes[0].m_x, sheet.m_nodes[0].m_x};
+    for (int n = 1; n < sheet.m_nodes.size(); ++n) bounds.take(sheet.m_nodes[n].m_x);
+    begin(sheet, bounds, 0, true);
 }
 
 void NearSolids::follow(Seen& seen, const Seen* last, btScalar substep) {

@@ -30,6 +30,9 @@ class NearSolids {
     // @param hasJumped  whether the application has put sheet and solids to another place; nothing then moves
     void begin(const btSoftBody& sheet, Bounds bounds, double substep, bool hasJumped);
 
+    // Only remembers where they are now. For a sheet that is new or was restored.
+    void observe(const btSoftBody& sheet);
+
     // Path of a solid in this substep; of one that is not near or moves by itself, that it stays.
     SolidPath pathOf(const btCollisionObject& object) const;
     // The path on which a solid has jumped since the last substep; null if it has not.

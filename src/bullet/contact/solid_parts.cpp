@@ -14,11 +14,15 @@ namespace {
 class TrianglesInBox final : public btTriangleCallback {
   public:
     TrianglesInBox(std::vector<SolidPart>& parts, const btTransform& inSolid, const Bounds& box)
-        : parts_(parts), inSolid_(inSolid), box_(box) {}
+        : parts_(parts),
+          inSolid_(inSolid),
+          isWholeSolid_(inSolid == btTransform::getIdentity()),
+          box_(box) {}
 
     void processTriangle(btVector3* corners, int, int) override {
-        const std::array<btVector3, 3> placed = {inSolid_ * corners[0], inSolid_ * corners[1],
-                                                 inSolid_ * corners[2]};
+        std::array<btVector3, 3> placed = {corners[0], corners[1], corners[2]};
+        if (!isWholeSolid_)
+            for (btVector3& corner : placed) corner = inSolid_ * corner;
         Bounds bounds = {placed[0], placed[0]};
         bounds.take(placed[1]);
         bounds.take(placed[2]);
@@ -28,6 +32,7 @@ class TrianglesInBox final : public btTriangleCallback {
   private:
     std::vector<SolidPart>& parts_;
     const btTransform& inSolid_;
+    const bool isWholeSolid_;
     const Bounds& box_;
 };
 

@@ -116,6 +116,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
         mechanics.gravity = gravity;
     pose.gather(body, mesh, mechanics.gravity);
     topology.follow(body);
+    mechanics.near.observe(body);
     if (stepping == Stepping::byWorld) ticks.hearPreTicks();
 }
 

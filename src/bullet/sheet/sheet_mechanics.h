@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bullet/contact/friction.h"
+#include "bullet/contact/near_solids.h"
 #include "bullet/sheet/rest_shape.h"
 #include "cloth/link_stiffness.h"
 #include "drench/cloth_mesh.h"
@@ -48,6 +49,8 @@ struct SheetMechanics {
     std::vector<double> bendingFrictionRatios;  // ratio of wet to dry
 
     btVector3 gravity = btVector3(0, 0, 0);  // of the body in this substep, m/s2; see gravityOf
+
+    NearSolids near;  // as the SmallStepSolver last saw them
 
     // Set by a SmallStepSolver, once it has found the sheet.
     std::shared_ptr<MovingSheet> moving;

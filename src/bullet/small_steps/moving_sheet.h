@@ -1,7 +1,6 @@
 // A sheet with its contacts, while small steps move it within a substep.
 #pragma once
 
-#include "bullet/contact/near_solids.h"
 #include "bullet/small_steps/sheet_anchors.h"
 #include "bullet/small_steps/small_step_sheet.h"
 #include "bullet/small_steps/solid_contacts.h"
@@ -16,7 +15,6 @@ struct MovingSheet {
 
     const btSoftBody::Node* nodes = nullptr;  // address of Bullet's array at the start of the substep
     SmallStepSheet cloth;
-    NearSolids near;
     SolidContacts contacts;
     SheetAnchors anchors;
     Tethers tethers;

@@ -255,11 +255,14 @@ bool SmallStepSheet::isWhereItWas(const btSoftBody& body) const {
 }
 
 bool SmallStepSheet::isElsewhere(const btSoftBody& body) const {
+    bool areMoved = false;
     for (std::size_t n = 0; n < end_.size(); ++n) {
         const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-        if (node.m_im > 0 && node.m_x == end_[n]) return false;
+        if (!(node.m_im > 0)) continue;
+        if (node.m_x == end_[n]) return false;
+        areMoved = true;
     }
-    return !end_.empty();
+    return areMoved;
 }
 
 void SmallStepSheet::carry(btSoftBody& body, const btTransform& from, const btTransform& to) {
@@ -275,12 +278,6 @@ void SmallStepSheet::carry(btSoftBody& body, const btTransform& from, const btTr
 Bounds SmallStepSheet::allBounds() const {
     Bounds all = bounds_[0];
     for (const Bounds& bounds : bounds_) all.take(bounds);
-    return all;
-}
-
-Bounds SmallStepSheet::boundsOf(const btSoftBody& body) {
-    Bounds all = {body.m_nodes[0].m_x, body.m_nodes[0].m_x};
-    for (int n = 1; n < body.m_nodes.size(); ++n) all.take(body.m_nodes[n].m_x);
     return all;
 }
 

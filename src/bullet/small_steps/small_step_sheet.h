@@ -69,8 +69,6 @@ class SmallStepSheet {
     static constexpr std::size_t nodesOfBounds = 32;
     const std::vector<Bounds>& bounds() const { return bounds_; }
     Bounds allBounds() const;
-    // Bounds of the present positions.
-    static Bounds boundsOf(const btSoftBody& body);
     // The largest difference of these displacements from their mean, m. Neighbours may pull a node so much farther
     // than it would move by itself.
     btScalar farthestPull() const { return farthestPull_; }

@@ -1,6 +1,7 @@
 #include "drench/small_step_solver.h"
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <BulletSoftBody/btSoftBody.h>
 #include <LinearMath/btAabbUtil2.h>
@@ -108,11 +109,11 @@ void widen(Bounds& bounds, const Mover& mover) {
 }
 
 // Broadphase bounds around the present and possible positions of the nodes.
-void writeBounds(btSoftBody& body, const MovingSheet& sheet, const std::vector<Mover>& movers) {
-    Bounds all = sheet.cloth.allBounds();
+void writeBounds(btSoftBody& body, const SheetMechanics& mechanics, const std::vector<Mover>& movers) {
+    Bounds all = mechanics.moving->cloth.allBounds();
     all.grow(2 * body.getCollisionShape()->getMargin());
     for (const Mover& mover : movers) widen(all, mover);
-    sheet.near.forEachMoving([&](const btCollisionObject& object, const SolidPath& path) {
+    mechanics.near.forEachMoving([&](const btCollisionObject& object, const SolidPath& path) {
         Bounds swept = boundsAt(object, path.start);
         const Bounds end = boundsAt(object, path.end);
         swept.take(end);
@@ -127,12 +128,12 @@ void writeBounds(btSoftBody& body, const MovingSheet& sheet, const std::vector<M
 }
 
 // Carries a sheet along that is anchored to a solid that has jumped.
-void followJump(btSoftBody& body, MovingSheet& sheet, const SheetMechanics& mechanics, double substep) {
+void followJump(btSoftBody& body, SmallStepSheet& cloth, const SheetMechanics& mechanics, double substep) {
     for (int i = 0; i < body.m_anchors.size(); ++i) {
-        const SolidPath* const jump = sheet.near.jumpOf(*body.m_anchors[i].m_body);
-        if (!jump || !sheet.cloth.isWhereItWas(body)) continue;
-        sheet.cloth.carry(body, jump->start, jump->end);
-        sheet.cloth.begin(body, mechanics, substep);
+        const SolidPath* const jump = mechanics.near.jumpOf(*body.m_anchors[i].m_body);
+        if (!jump || !cloth.isWhereItWas(body)) continue;
+        cloth.carry(body, jump->start, jump->end);
+        cloth.begin(body, mechanics, substep);
         return;
     }
 }
@@ -262,13 +263,13 @@ void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics
     mechanics.hasJumped = false;
     if (hasJumped) sheet.cloth.forgetPins();
     sheet.cloth.begin(body, mechanics, substepOfBody);
-    sheet.near.begin(body, sheet.cloth.allBounds(), double(substep), hasJumped);
-    followJump(body, sheet, mechanics, substepOfBody);
-    sheet.anchors.find(body, sheet.near);
+    mechanics.near.begin(body, sheet.cloth.allBounds(), double(substep), hasJumped);
+    followJump(body, sheet.cloth, mechanics, substepOfBody);
+    sheet.anchors.find(body, mechanics.near);
     sheet.contacts.clear();
     while (body.m_rcontacts.size() > 0) body.m_rcontacts.pop_back();
     body.m_scontacts.resize(0);
-    writeBounds(body, sheet, movers);
+    writeBounds(body, mechanics, movers);
     if (body.m_cfg.collisions & btSoftBody::fCollision::VF_SS)
         prepareSoftContacts(body, sheet.cloth, mechanics.sheetFriction);
     mechanics.times.solver += watch.lap();
@@ -341,8 +342,8 @@ void SmallStepSolver::State::begin(btScalar substep) {
     StopWatch watch;
     solids.clear();
     for (const Solving& each : sheets) {
-        each.sheet->contacts.addSolids(*each.body, each.mechanics->sheetFriction, each.sheet->near, solids);
-        each.sheet->anchors.addSolids(*each.body, each.sheet->near, solids);
+        each.sheet->contacts.addSolids(*each.body, each.mechanics->sheetFriction, each.mechanics->near, solids);
+        each.sheet->anchors.addSolids(*each.body, each.mechanics->near, solids);
     }
     solids.begin(double(substep));
     share(&StepTimes::contacts, watch.lap());

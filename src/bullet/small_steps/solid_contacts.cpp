@@ -15,6 +15,9 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
+// Distance of the surroundings that are searched from a node that stays where it is, in margins.
+constexpr auto slack = btScalar(1.5);
+
 constexpr std::size_t notKept = std::numeric_limits<std::size_t>::max();
 
 // Of a path that turns around the origin by an angle: its largest distance from its chord, m.
@@ -128,7 +131,7 @@ void SolidContacts::find(const SmallStepSheet& sheet, const Solid& solid, std::s
     const btCollisionShape& shape = *solid.object().getCollisionShape();
     Search search = {sheet, solid, touching, {}, solid.path().motion().angular.length(), sheet.farthestPull()};
     shape.getAabb(btTransform::getIdentity(), search.bounds.low, search.bounds.high);
-    const btScalar around = 2 * margin_ + search.pull + (sheetFriction_->canAdhere() ? reach_ : 0);
+    const btScalar around = slack * margin_ + search.pull + (sheetFriction_->canAdhere() ? reach_ : 0);
     if (shape.isConvex()) gather(shape, search.bounds);
     for (std::size_t group = 0; group < sheet.bounds().size(); ++group) {
         const Bounds& nodes = sheet.bounds()[group];
@@ -159,7 +162,7 @@ void SolidContacts::findNode(const Search& search, std::size_t n) {
     Bounds way = {from, from};
     way.take(to);
     const bool adheres = sheetFriction_->adheresTo[n] == &search.solid.object();
-    const btScalar around = 2 * margin_ + search.pull + (adheres ? reach_ : 0) +
+    const btScalar around = slack * margin_ + search.pull + (adheres ? reach_ : 0) +
                             sagitta(std::max(from.length(), to.length()), search.turn);
     way.grow(around);
     if (!way.meets(search.bounds)) return;

@@ -200,9 +200,9 @@ void WetCloth::Layer::mechanicsState(BulletPass& pass) {
     if (!moving) moving = std::make_shared<MovingSheet>(mechanics);
     pass.part(moving->cloth);
     if (!pass.restores()) return;
-    moving->near.begin(body, moving->cloth.boundsOf(body), 0, true);
     mechanics.moving = std::move(moving);
     mechanics.hasJumped = false;
+    mechanics.near.observe(body);
 }
 
 void WetCloth::Layer::touchState(BulletPass& pass) {
