@@ -35,7 +35,7 @@ DRENCH_API void validate(const TriangleMesh& mesh);
 /// of float coordinates 1 km from the origin for edges of 2 cm, and of six decimals in a mesh of 1 cm for edges of 0.5
 /// mm; 0.2 mm is less than the distance between the middles of two layers of cloth, however coarse their mesh is.
 struct WeldOptions {
-    bool join = true;            ///< false: no vertices are joined, and the mesh is only cleaned; default true
+    bool join = true;  ///< false: no vertices are joined, and the mesh is only cleaned; default true
     double edgeFraction = 0.01;  ///< dimensionless; 0 to 0.4; default 0.01
     double maxDistance = 2e-4;   ///< m; 0 to 1e6; default 2e-4
 };

@@ -71,7 +71,8 @@ void checkLoneNodes(const TriangleMesh& mesh) {
         for (const int node : triangle) used[static_cast<std::size_t>(node)] = 1;
     const auto lone = std::find(used.begin(), used.end(), 0);
     if (lone != used.end())
-        refuse("mesh: vertex ", lone - used.begin(), " is in no triangle, and would have no mass; remove it, as weld does");
+        refuse("mesh: vertex ", lone - used.begin(),
+               " is in no triangle, and would have no mass; remove it, as weld does");
 }
 
 void checkTexture(const TriangleMesh& mesh) {

@@ -75,15 +75,16 @@ void reportPieces(const btSoftBody& body, const RestShape& shape, Diagnostics& d
     const std::vector<Piece> list = listed(pieces, shape);
     if (list.size() < 2) return;
     const int coincident = countCoincident(pieces, body, shape);
-    diagnostics.note(Trouble::pieces,
-                     textOf("the sheet is in ", list.size(), " pieces, of ", sizesOf(list),
-                            " triangles, which nothing joins; ", coincident,
-                            " of its nodes are in the same place as a node of another piece",
-                            coincident > 0 ? "; join those with drench::weld, as readMesh does, before the body is "
-                                             "made, or "
-                                           : "; close the gaps in the mesh, or make a body of each piece, or ",
-                            "set SheetSettings::mayBeInPieces if the pieces are to be apart"),
-                     list[1].firstNode, double(list.size()));
+    diagnostics.note(
+        Trouble::pieces,
+        textOf("the sheet is in ", list.size(), " pieces, of ", sizesOf(list),
+               " triangles, which nothing joins; ", coincident,
+               " of its nodes are in the same place as a node of another piece",
+               coincident > 0 ? "; join those with drench::weld, as readMesh does, before the body is "
+                                "made, or "
+                              : "; close the gaps in the mesh, or make a body of each piece, or ",
+               "set SheetSettings::mayBeInPieces if the pieces are to be apart"),
+        list[1].firstNode, double(list.size()));
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE
