@@ -2,7 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <map>
+#include <tuple>
+#include <utility>
 
 #include "cloth/mesh_edges.h"
 
@@ -14,11 +15,27 @@ namespace {
 struct Quad {
     std::array<std::size_t, 2> triangles;
     std::array<int, 4> corners;
+    std::array<int, 4> nodes;  // its corners in ascending order
 };
 
-std::array<int, 4> sorted(std::array<int, 4> nodes) {
-    std::sort(nodes.begin(), nodes.end());
-    return nodes;
+// All quads with one edge as diagonal; those with the same nodes follow each other.
+std::vector<Quad> quadsOf(const std::vector<std::array<int, 3>>& triangles, std::size_t nodes) {
+    const MeshEdges edges(triangles, nodes);
+    std::vector<Quad> quads;
+    quads.reserve(edges.size());
+    for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+        const auto at = edges.trianglesAt(edge);
+        if (at.size() != 2) continue;
+        const auto apex = [&](std::size_t i) { return triangles[at[i].triangle][at[i].apex]; };
+        const auto [a, c] = edges.ends()[edge];
+        const std::array<int, 4> corners = {a, apex(0), c, apex(1)};
+        quads.push_back({{at[0].triangle, at[1].triangle}, corners, corners});
+        std::sort(quads.back().nodes.begin(), quads.back().nodes.end());
+    }
+    std::sort(quads.begin(), quads.end(), [](const Quad& one, const Quad& other) {
+        return std::tie(one.nodes, one.triangles) < std::tie(other.nodes, other.triangles);
+    });
+    return quads;
 }
 
 class QuadCheck {
@@ -49,39 +66,38 @@ class QuadCheck {
 }  // namespace
 
 std::vector<SecondLayer> repeatedTriangles(const std::vector<std::array<int, 3>>& triangles) {
-    std::map<std::array<int, 3>, std::size_t> known;
-    std::vector<SecondLayer> repeated;
+    using Named = std::pair<std::array<int, 3>, std::size_t>;
+    std::vector<Named> sorted;
+    sorted.reserve(triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        std::array<int, 3> nodes = triangles[t];
-        std::sort(nodes.begin(), nodes.end());
-        const auto [first, isNew] = known.emplace(nodes, t);
-        if (!isNew) repeated.push_back({t, first->second});
+        sorted.emplace_back(triangles[t], t);
+        std::sort(sorted.back().first.begin(), sorted.back().first.end());
     }
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<SecondLayer> repeated;
+    for (std::size_t i = 1, first = 0; i < sorted.size(); ++i)
+        if (sorted[i].first == sorted[first].first)
+            repeated.push_back({sorted[i].second, sorted[first].second});
+        else
+            first = i;
+    std::sort(repeated.begin(), repeated.end(),
+              [](const SecondLayer& a, const SecondLayer& b) { return a.triangle < b.triangle; });
     return repeated;
 }
 
 std::vector<SecondLayer> repeatedQuads(const std::vector<std::array<int, 3>>& triangles,
                                        const std::vector<Eigen::Vector3d>& vertices) {
-    const MeshEdges edges(triangles, vertices.size());
+    const std::vector<Quad> quads = quadsOf(triangles, vertices.size());
     const QuadCheck check(vertices);
-    std::multimap<std::array<int, 4>, Quad> known;
     std::vector<SecondLayer> repeated;
-    for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-        const auto at = edges.trianglesAt(edge);
-        if (at.size() != 2) continue;
-        const auto apex = [&](std::size_t i) { return triangles[at[i].triangle][at[i].apex]; };
-        const auto [a, c] = edges.ends()[edge];
-        const Quad quad = {{at[0].triangle, at[1].triangle}, {a, apex(0), c, apex(1)}};
-        const auto [from, to] = known.equal_range(sorted(quad.corners));
-        for (auto other = from; other != to; ++other) {
-            if (!check.areOne(quad, other->second)) continue;
-            const bool isLater = quad.triangles > other->second.triangles;
-            const Quad& later = isLater ? quad : other->second;
-            const Quad& earlier = isLater ? other->second : quad;
+    for (std::size_t i = 0; i < quads.size(); ++i)
+        for (std::size_t j = i + 1; j < quads.size() && quads[j].nodes == quads[i].nodes; ++j) {
+            if (!check.areOne(quads[i], quads[j])) continue;
+            const bool isLater = quads[i].triangles > quads[j].triangles;
+            const Quad& later = quads[isLater ? i : j];
+            const Quad& earlier = quads[isLater ? j : i];
             for (const std::size_t t : later.triangles) repeated.push_back({t, earlier.triangles[0]});
         }
-        known.emplace(sorted(quad.corners), quad);
-    }
     return repeated;
 }
 
