@@ -20,6 +20,7 @@ struct MeshReadOptions {
     bool texture = false;
     /// How to join vertices in the same place, with distances after scaling. By default they are joined, because a mesh
     /// that was written with split vertices falls into pieces otherwise; with `weld.join = false` they are not.
+    /// Vertices of different objects are joined, too: panels of a garment, but also sheets that touch each other.
     WeldOptions weld;
 };
 
