@@ -36,13 +36,14 @@ struct MeshFile {
     /// Number of pieces: triangles that share a node, also through others, are one piece. `piecesOf` has the triangles
     /// of each. A sheet of several pieces falls apart, and is reported as Trouble::pieces.
     int pieces = 0;
-    /// Number of vertices that were joined to an earlier one in the same place; see `MeshReadOptions::weld`.
+    /// Number of vertices that were joined to an earlier one in the same place.
     int coincidentVertices = 0;
     /// Triangles that were left out because their area is 0, or because two of their corners were joined, by vertex
     /// numbers in the file.
     std::vector<std::array<int, 3>> degenerateTriangles;
-    /// Triangles that were left out because an earlier one has the same nodes, whichever way round, or two earlier ones
-    /// are the same flat quad with its other diagonal. Of a double-sided mesh one layer is left, as cloth has two sides.
+    /// Triangles that were left out because an earlier one has the same nodes, whichever way round, or because two
+    /// earlier ones are the same flat quad with its other diagonal. Of a double-sided mesh one layer is left, as cloth
+    /// has two sides.
     std::vector<std::array<int, 3>> duplicateTriangles;
     /// Number of vertices that were left out because no triangle uses them.
     int unreferencedVertices = 0;
@@ -51,8 +52,9 @@ struct MeshFile {
 };
 
 /// Reads the faces of OBJ text. Quads are divided along their shorter diagonal, other polygons are triangulated.
-/// Relative indices, several objects and groups are supported; normals, materials, lines and curves are ignored. Vertices
-/// in the same place are joined, unless `MeshReadOptions::weld` says otherwise; texture coordinates stay with the corners.
+/// Relative indices, several objects and groups are supported; normals, materials, lines and curves are ignored.
+/// Vertices in the same place are joined, unless `MeshReadOptions::weld` says otherwise; texture coordinates stay with
+/// the corners.
 /// @throws std::invalid_argument that names the line: for a vertex or texture coordinate with too few numbers, numbers
 ///     that are not finite or beyond 1e6 m; for a face with less than 3 or more than 1000 corners, or an index out of
 ///     range. Also for text without any face of an area above 0, text of more than 256 MB or a million vertices, and

@@ -31,14 +31,16 @@ std::vector<std::array<float, 3>> verticesOfObj(const std::string& path) {
 std::size_t framesOfGlb(const std::string& path) {
     tinygltf::Model model;
     std::string error, warning;
-    if (!tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &error, &warning, path)) throw std::runtime_error(error);
+    if (!tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &error, &warning, path))
+        throw std::runtime_error(error);
     return model.meshes.at(0).primitives.at(0).targets.size();
 }
 
 void writeHalfWhite(const std::string& path, int side) {
     std::vector<unsigned char> grey;
     for (int i = 0; i < side * side; ++i) grey.push_back(i % side < side / 2 ? 0 : 255);
-    if (!stbi_write_png(path.c_str(), side, side, 1, grey.data(), side)) throw std::runtime_error("no picture written");
+    if (!stbi_write_png(path.c_str(), side, side, 1, grey.data(), side))
+        throw std::runtime_error("no picture written");
 }
 
 bool readsPicture(const std::string& path) {
