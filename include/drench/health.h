@@ -27,8 +27,8 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 enum class OnTrouble {
     /// It repairs or ignores the faulty value, continues, and reports it in `WetCloth::troubles`. Default.
     carryOn,
-    /// stepSimulation or `WetCloth::preSubstep` throws, with the sheet unchanged, until the application has removed the
-    /// cause. For development and tests.
+    /// stepSimulation or `WetCloth::preSubstep` throws std::runtime_error, with the sheet unchanged, until the
+    /// application has removed the cause; for `Trouble::pieces` the constructor does. For development and tests.
     throwError
 };
 
@@ -63,7 +63,12 @@ enum class Trouble {
     gravityPlaces,
     /// Size or gravity look like another unit than metres, kilograms and seconds; found at the first substep. Nothing
     /// was changed. See `SheetSettings::unusualScale`.
-    units
+    units,
+    /// The sheet was in several pieces, which neither faces nor links join, when the WetCloth was made, and
+    /// `SheetSettings::mayBeInPieces` was not set: it will fall apart. Mostly the mesh has split vertices; see `weld`.
+    /// Nothing is changed. Reported once, by the constructor; with OnTrouble::throwError the constructor throws.
+    /// Pieces that are cut later are not reported.
+    pieces
 };
 
 /// All occurrences of one kind of problem since the WetCloth was made or `WetCloth::clearTroubles` was called.

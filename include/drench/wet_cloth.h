@@ -79,6 +79,10 @@ struct SheetSettings {
 
     /// Whether a size or gravity that looks like another unit is meant: then it is no `Trouble::units`. Default false.
     bool unusualScale = false;
+
+    /// Whether the sheet may be in several pieces from the start, such as strips of one body. Default: false; several
+    /// pieces are then reported as `Trouble::pieces`.
+    bool mayBeInPieces = false;
 };
 
 /// Adds water to one btSoftBody: before each of Bullet's substeps sources add their water, the water moves (see
@@ -104,6 +108,7 @@ class DRENCH_API WetCloth {
     ///     - a margin, or a voxel size of the world info, larger than the mean link;
     ///     - a plane shape in the world that the body's collision filters let it collide with;
     ///     - material coordinates that do not fit the body
+    /// @throws std::runtime_error for a sheet in several pieces with OnTrouble::throwError; see `Trouble::pieces`
     WetCloth(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
              const SheetSettings& settings = {});
     /// Detaches, and restores the body.

@@ -8,6 +8,7 @@
 
 #include "bullet/bullet_solvers/contact_order.h"
 #include "bullet/bullet_solvers/link_constants.h"
+#include "bullet/repair/pieces.h"
 #include "bullet/sheet/border_checks.h"
 #include "bullet/world/gravity.h"
 #include "bullet/world/stop_watch.h"
@@ -68,10 +69,11 @@ ClothMesh checkedMesh(const SheetSettings& settings, const btSoftBody& body, con
 }
 
 SheetMechanics checkedMechanics(const btCollisionWorld& world, const btSoftBody& body, const Fabric& fabric,
-                                const SheetSettings& settings) {
+                                const SheetSettings& settings, Diagnostics& diagnostics) {
     validate(fabric);
     RestShape shape = checkedShape(world, body);
     ClothMesh mesh = checkedMesh(settings, body, shape);
+    if (!settings.mayBeInPieces) reportPieces(body, shape, diagnostics);
     return {fabric, std::move(shape), std::move(mesh)};
 }
 
@@ -87,7 +89,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       unusualScale(settings.unusualScale),
       diagnostics(settings.onTrouble),
       fabric(aFabric),
-      mechanics(checkedMechanics(world, body, fabric, settings)),
+      mechanics(checkedMechanics(world, body, fabric, settings, diagnostics)),
       mesh(mechanics.mesh),
       coordinates(nodeCoordinates(mesh)),
       totalArea(std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0)),
