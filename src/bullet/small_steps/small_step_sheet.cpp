@@ -112,7 +112,7 @@ SmallStepSheet::SmallStepSheet(const SheetMechanics& mechanics, const SmallStepK
       stretch_(mechanics.stretch) {
     const std::size_t slots = count_ + 1;
     for (auto* nodes : {&start_, &velocity_, &acceleration_, &reach_, &moved_, &predicted_, &steps_, &push_,
-                        &pushAndMoments_, &ahead_})
+                        &pushAndMoments_, &ahead_, &expected_})
         nodes->assign(slots, MovingNode{0, 0, 0, 0});
     ratios_.assign(slots, NodeRatios{1, 1, 1, 0});
     packLinks(mechanics);
@@ -262,7 +262,8 @@ void SmallStepSheet::beginPin(const btSoftBody::Node& node, std::size_t n) {
 }
 
 int SmallStepSheet::wantedSteps(const SheetMechanics& mechanics, double stretchTolerance) const {
-    double longest = longestBendingStep(mechanics);
+    static const double cap = getenv("CAP") ? atof(getenv("CAP")) : 0.0042;
+    double longest = std::min(longestBendingStep(mechanics), cap);
     if (gravity_ > 0 && meanLink_ > 0) {
         double stretchRatio = 0;
         for (const double ratio : mechanics.stretchRatios) stretchRatio += ratio / double(count_);
@@ -291,7 +292,7 @@ double SmallStepSheet::longestBendingStep(const SheetMechanics& mechanics) const
 
 // Number of small steps for which moments may be kept, such that the stiffest bending mode is stable where
 // the cloth is stiffest and lightest.
-int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, int steps) const {
+int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, double step) const {
     double stiffest = 0, lightest = std::numeric_limits<double>::infinity();
     for (std::size_t n = 0; n < count_; ++n) {
         if (!(mechanics.mesh.areas[n] > 0)) continue;
@@ -303,15 +304,30 @@ int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, int step
     // w is stable up to (w T)^2 = 2.
     constexpr double stable = 1.3, max = 8;
     const double longest = std::sqrt(stable * lightest / (stiffest * stiffestPlates_));
-    return static_cast<int>(std::clamp(longest * steps / substep_, 1.0, max));
+    return static_cast<int>(std::clamp(longest / step, 1.0, max));
+}
+
+// The step for which the cloth has its stiffness: the longest in use lately. It follows a longer step at once,
+// because the cloth would be too stiff for it. It follows shorter ones late and slowly: cloth that becomes
+// stiffer while it is stretched gains energy, and one that changes its stiffness again and again never rests.
+void SmallStepSheet::renewLongestStep() {
+    static const double kept = getenv("DT") ? atof(getenv("DT")) : 4, halfLife = 1;  // s
+    sinceLongest_ += substep_;
+    if (sinceLongest_ > kept) longestStep_ *= std::exp2(-substep_ / halfLife);
+    if (smallStep_ < longestStep_) return;
+    longestStep_ = smallStep_;
+    sinceLongest_ = 0;
 }
 
 void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
     smallStep_ = substep_ / steps;
-    platesEvery_ = stepsBetweenPlates(mechanics, steps);
+    renewLongestStep();
+    fraction_ = float(smallStep_ / longestStep_);
+    platesEvery_ = stepsBetweenPlates(mechanics, longestStep_);
+    renewEvery_ = static_cast<int>(platesEvery_ / double(fraction_));
     step_ = 0;
     keep_ = float(std::exp(-damping_ * smallStep_));
-    const auto h = float(smallStep_), squared = float(smallStep_ * smallStep_);
+    const auto h = float(smallStep_), longest = float(longestStep_), squared = float(longestStep_ * longestStep_);
     for (std::size_t n = 0; n < count_; ++n) {
         const MovingNode &v = velocity_[n], &a = acceleration_[n];
         const float inverseMass = start_[n].inverseMass;
@@ -325,27 +341,69 @@ void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
     kernels_.prepareLinks(links_.data(), dryStiffness_.data(), start_.data(), ratios_.data(), squared,
                           links_.size());
     kernels_.preparePlates(push_.data(), plates_.data(), plateStates_.data(), plateWeights_.data(),
-                           plateLaws_, start_.data(), ratios_.data(), {h, float(platesEvery_)},
+                           plateLaws_, start_.data(), ratios_.data(), {longest, float(platesEvery_)},
                            plates_.size());
 }
 
 void SmallStepSheet::advance() {
-    if (step_++ % platesEvery_ == 0 && platesEvery_ > 1) renewMoments();
+    if (step_++ % renewEvery_ == 0 && platesEvery_ > 1) renewMoments();
     const auto& push = platesEvery_ > 1 ? pushAndMoments_ : push_;
-    kernels_.advance(moved_.data(), predicted_.data(), steps_.data(), push.data(), keep_, count_);
+    if (fraction_ < 1)
+        advanceByFraction(push);
+    else
+        kernels_.advance(moved_.data(), predicted_.data(), steps_.data(), push.data(), keep_, count_);
 }
 
 void SmallStepSheet::solveCloth() {
+    std::vector<MovingNode>& nodes = fraction_ < 1 ? ahead_ : moved_;
     if (platesEvery_ == 1)
-        kernels_.solvePlates(moved_.data(), moved_.data(), plates_.data(), plateWeights_.data(),
+        kernels_.solvePlates(nodes.data(), nodes.data(), plates_.data(), plateWeights_.data(),
                              plates_.size());
-    kernels_.solveLinks(moved_.data(), links_.data(), links_.size());
+    kernels_.solveLinks(nodes.data(), links_.data(), links_.size());
+    if (fraction_ < 1) correctByFraction();
+}
+
+// A step that is shorter than the longest one gets its fraction of the impulses of the longest one, which the
+// cloth finds from where its nodes would be after that. So the cloth is equally stiff in steps of any length,
+// and hangs equally low.
+void SmallStepSheet::advanceByFraction(const std::vector<MovingNode>& push) {
+    const float fraction = fraction_, squared = fraction_ * fraction_, times = 1 / fraction_;
+    for (std::size_t n = 0; n < count_; ++n) {
+        MovingNode &node = moved_[n], &step = steps_[n];
+        const MovingNode& by = push[n];
+        const bool isPin = !(node.inverseMass > 0);
+        const float own = isPin ? 1 : squared, farther = isPin ? fraction * times : 1;
+        const auto go = [&](float& position, float& moving, float before, float more, float& target) {
+            const float kept = (moving + (position - before)) * keep_;
+            moving = kept + more * own;
+            target = position + (isPin ? moving * times : kept * times + more * farther);
+            position += moving;
+        };
+        go(node.x, step.x, predicted_[n].x, by.x, ahead_[n].x);
+        go(node.y, step.y, predicted_[n].y, by.y, ahead_[n].y);
+        go(node.z, step.z, predicted_[n].z, by.z, ahead_[n].z);
+        ahead_[n].inverseMass = node.inverseMass;
+        predicted_[n] = node;
+    }
+    ahead_[count_] = {0, 0, 0, 0};
+    expected_ = ahead_;
+}
+
+void SmallStepSheet::correctByFraction() {
+    const float squared = fraction_ * fraction_;
+    for (std::size_t n = 0; n < count_; ++n) {
+        MovingNode& node = moved_[n];
+        const MovingNode &corrected = ahead_[n], &expected = expected_[n];
+        node.x += squared * (corrected.x - expected.x);
+        node.y += squared * (corrected.y - expected.y);
+        node.z += squared * (corrected.z - expected.z);
+    }
 }
 
 // Moments that are kept for several steps are extrapolated to the end of that interval: late moments would
 // excite vibrations. They act in every step, because impulses at intervals would excite the links.
 void SmallStepSheet::renewMoments() {
-    const auto ahead = float(platesEvery_);
+    const float ahead = float(platesEvery_) / fraction_;
     for (std::size_t n = 0; n < count_; ++n) {
         const MovingNode &now = moved_[n], &before = predicted_[n], &step = steps_[n];
         ahead_[n] = {now.x + ahead * (step.x + (now.x - before.x)),
