@@ -262,8 +262,10 @@ void SmallStepSheet::beginPin(const btSoftBody::Node& node, std::size_t n) {
 }
 
 int SmallStepSheet::wantedSteps(const SheetMechanics& mechanics, double stretchTolerance) const {
-    static const double cap = getenv("CAP") ? atof(getenv("CAP")) : 0.0042;
-    double longest = std::min(longestBendingStep(mechanics), cap);
+    // Four steps in a substep of 1/60 s, however that is rounded. In longer substeps coarse cloth, which needs
+    // no more than that, would otherwise be softer, and would fall a little at each.
+    constexpr double longestOfAll = 0.0042;  // s
+    double longest = std::min(longestBendingStep(mechanics), longestOfAll);
     if (gravity_ > 0 && meanLink_ > 0) {
         double stretchRatio = 0;
         for (const double ratio : mechanics.stretchRatios) stretchRatio += ratio / double(count_);
@@ -307,16 +309,19 @@ int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, double s
     return static_cast<int>(std::clamp(longest / step, 1.0, max));
 }
 
-// The step for which the cloth has its stiffness: the longest in use lately. It follows a longer step at once,
-// because the cloth would be too stiff for it. It follows shorter ones late and slowly: cloth that becomes
-// stiffer while it is stretched gains energy, and one that changes its stiffness again and again never rests.
+// The step for which the cloth has its stiffness: the longest in the last seconds. It follows a longer step at
+// once, because the cloth would be too stiff for it. It follows shorter ones late and slowly: cloth that becomes
+// stiffer while it is stretched gains energy, and cloth whose stiffness goes up and down never rests.
 void SmallStepSheet::renewLongestStep() {
-    static const double kept = getenv("DT") ? atof(getenv("DT")) : 4, halfLife = 1;  // s
-    sinceLongest_ += substep_;
-    if (sinceLongest_ > kept) longestStep_ *= std::exp2(-substep_ / halfLife);
-    if (smallStep_ < longestStep_) return;
-    longestStep_ = smallStep_;
-    sinceLongest_ = 0;
+    constexpr double window = 4, halfLife = 1;  // s
+    sinceWindow_ += substep_;
+    if (sinceWindow_ > window) {
+        longestBefore_ = longestInWindow_;
+        longestInWindow_ = sinceWindow_ = 0;
+    }
+    longestInWindow_ = std::max(longestInWindow_, smallStep_);
+    longestStep_ =
+        std::max({longestInWindow_, longestBefore_, longestStep_ * std::exp2(-substep_ / halfLife)});
 }
 
 void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
@@ -363,26 +368,23 @@ void SmallStepSheet::solveCloth() {
     if (fraction_ < 1) correctByFraction();
 }
 
-// A step that is shorter than the longest one gets its fraction of the impulses of the longest one, which the
-// cloth finds from where its nodes would be after that. So the cloth is equally stiff in steps of any length,
-// and hangs equally low.
+// A step shorter than the longest one gets that fraction of the impulses of the longest one, which the cloth
+// finds from where its nodes would be after that one. So it is equally stiff in steps of any length, and hangs
+// equally low. (An impulse found at the end of the shorter step would make it stiffer: links that one sweep
+// does not resolve are as stiff as m / h^2, and their stiffness would change with h.)
 void SmallStepSheet::advanceByFraction(const std::vector<MovingNode>& push) {
-    const float fraction = fraction_, squared = fraction_ * fraction_, times = 1 / fraction_;
+    const float keep = keep_, squared = fraction_ * fraction_, times = 1 / fraction_;
     for (std::size_t n = 0; n < count_; ++n) {
-        MovingNode &node = moved_[n], &step = steps_[n];
-        const MovingNode& by = push[n];
-        const bool isPin = !(node.inverseMass > 0);
-        const float own = isPin ? 1 : squared, farther = isPin ? fraction * times : 1;
-        const auto go = [&](float& position, float& moving, float before, float more, float& target) {
-            const float kept = (moving + (position - before)) * keep_;
-            moving = kept + more * own;
-            target = position + (isPin ? moving * times : kept * times + more * farther);
-            position += moving;
-        };
-        go(node.x, step.x, predicted_[n].x, by.x, ahead_[n].x);
-        go(node.y, step.y, predicted_[n].y, by.y, ahead_[n].y);
-        go(node.z, step.z, predicted_[n].z, by.z, ahead_[n].z);
-        ahead_[n].inverseMass = node.inverseMass;
+        MovingNode &node = moved_[n], &step = steps_[n], &ahead = ahead_[n];
+        const MovingNode &before = predicted_[n], &by = push[n];
+        const bool isPin = !(node.inverseMass > 0);  // its push makes up for damping in this step
+        const float now = isPin ? 1 : squared, later = isPin ? times : 1;
+        const float x = (step.x + (node.x - before.x)) * keep, y = (step.y + (node.y - before.y)) * keep,
+                    z = (step.z + (node.z - before.z)) * keep;
+        step = {x + by.x * now, y + by.y * now, z + by.z * now, 0};
+        ahead = {node.x + x * times + by.x * later, node.y + y * times + by.y * later,
+                 node.z + z * times + by.z * later, node.inverseMass};
+        node = {node.x + step.x, node.y + step.y, node.z + step.z, node.inverseMass};
         predicted_[n] = node;
     }
     ahead_[count_] = {0, 0, 0, 0};
@@ -413,6 +415,12 @@ void SmallStepSheet::renewMoments() {
     std::copy(push_.begin(), push_.end(), pushAndMoments_.begin());
     kernels_.solvePlates(pushAndMoments_.data(), ahead_.data(), plates_.data(), plateWeights_.data(),
                          plates_.size());
+}
+
+// Under a constant force both leave the same gap.
+double SmallStepSheet::fractionOf(double ofLongest) const {
+    const double squared = double(fraction_) * double(fraction_), closed = ofLongest * squared;
+    return fraction_ < 1 && ofLongest > 0 ? closed / (closed + 1 - ofLongest) : ofLongest;
 }
 
 void SmallStepSheet::place(std::size_t node, const btVector3& by) {

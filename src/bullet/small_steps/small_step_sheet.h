@@ -80,6 +80,8 @@ class SmallStepSheet {
     // The longest of these displacements, m.
     btScalar farthestReach() const { return farthestReach_; }
     double smallStep() const { return smallStep_; }
+    // The fraction of a gap that a spring closes in a small step, if it closes the given one in the longest.
+    double fractionOf(double ofLongest) const;
 
   private:
     friend class BulletPass;
@@ -104,8 +106,10 @@ class SmallStepSheet {
     std::size_t count_;            // number of nodes of the body; the arrays have one more, the spare node
     double substep_ = 0;           // s
     double smallStep_ = 0;         // s
-    double longestStep_ = 0;       // longest small step in use lately, s
-    double sinceLongest_ = 0;      // time since the last step of that length, s
+    double longestStep_ = 0;       // small step for which the cloth has its stiffness, s
+    double longestInWindow_ = 0;   // longest small step since the present window of time began, s
+    double longestBefore_ = 0;     // and in the window before it, s
+    double sinceWindow_ = 0;       // time since the window began, s
     float fraction_ = 1;           // ratio of the small step to the longest one
     double damping_ = 0;           // 1/s
     double gravity_ = 0;           // m/s2

@@ -63,6 +63,9 @@ void SmallStepSheet::state(BulletPass& pass) {
     for (PlateState& plates : plateStates_)
         for (auto& component : plates.slid)
             for (float& curvature : component) pass.number(curvature);
+    if (!pass.hasMore()) return;  // saved by Drench 0.1, before steps were remembered
+    for (double* const time : {&longestStep_, &longestInWindow_, &longestBefore_, &sinceWindow_})
+        pass.number(*time, 0, 1e6);
 }
 
 void StockContacts::state(BulletPass& pass) {
