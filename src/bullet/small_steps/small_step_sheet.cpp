@@ -10,6 +10,7 @@
 #include "bullet/simd/independent_blocks.h"
 #include "bullet/world/limits.h"
 #include "cloth/plate_bending.h"
+#include "cloth/plate_response.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -65,43 +66,6 @@ class WeightTable {
     std::vector<const PlateElement*> plates_;
     std::map<std::array<int, blockWidth>, int> blocks_;
 };
-
-// Response of the curvature of a plate to its own moment, times areal density, 1/m4: a value that most plates
-// do not exceed, because a few bad triangles should not determine the step of the whole sheet.
-double usualResponse(const std::vector<PlateElement>& plates, const std::vector<double>& nodeAreas) {
-    std::vector<double> responses;
-    for (const PlateElement& plate : plates) {
-        double& response = responses.emplace_back(0.0);
-        for (std::size_t k = 0; k < 6; ++k) {
-            if (plate.nodes[k] < 0) continue;
-            const double nodeArea = nodeAreas[static_cast<std::size_t>(plate.nodes[k])];
-            for (const auto& weights : plate.weights)
-                response += weights[k] * weights[k] * plate.area / nodeArea;
-        }
-    }
-    if (responses.empty()) return 0;
-    const auto max = responses.begin() + static_cast<std::ptrdiff_t>(responses.size() * 9 / 10);
-    std::nth_element(responses.begin(), max, responses.end());
-    return *max;
-}
-
-// Upper bound of the squared angular frequencies of all bending modes, times areal density over rigidity,
-// 1/m4 (Gershgorin).
-double stiffestNode(const std::vector<PlateElement>& plates, const std::vector<double>& nodeAreas) {
-    std::vector<double> sums(nodeAreas.size(), 0.0);
-    for (const PlateElement& plate : plates)
-        for (const auto& weights : plate.weights) {
-            double all = 0;
-            for (const double weight : weights) all += std::abs(weight);
-            for (std::size_t k = 0; k < 6; ++k)
-                if (plate.nodes[k] >= 0)
-                    sums[static_cast<std::size_t>(plate.nodes[k])] += plate.area * std::abs(weights[k]) * all;
-        }
-    double largest = 0;
-    for (std::size_t n = 0; n < sums.size(); ++n)
-        if (nodeAreas[n] > 0) largest = std::max(largest, sums[n] / nodeAreas[n]);
-    return largest;
-}
 
 }  // namespace
 
@@ -163,7 +127,11 @@ void SmallStepSheet::packPlates(const SheetMechanics& mechanics) {
     plateLaws_ = {float(mechanics.bending), float(mechanics.bendingFriction),
                   mechanics.bendingFriction > 0 ? float(heldOverElastic) : 0.0f};
 
-    const std::vector<PlateElement> elements = plateElements(mechanics.mesh);
+    // A few bad triangles should not determine the steps of a whole world.
+    constexpr double stiffest = 4;  // ratio to the usual response; beyond, steps do not resolve plates anyway
+    std::vector<PlateElement> elements = plateElements(mechanics.mesh);
+    plateResponse_ = usualResponse(elements, mechanics.mesh);
+    limitResponses(elements, mechanics.mesh.areas, stiffest * plateResponse_);
     std::vector<std::array<int, 6>> nodes;
     for (const PlateElement& element : elements) nodes.push_back(element.nodes);
     WeightTable table;
@@ -186,7 +154,6 @@ void SmallStepSheet::packPlates(const SheetMechanics& mechanics) {
         }
         block.weights = table.of(classes, plateWeights_);
     }
-    plateResponse_ = usualResponse(elements, mechanics.mesh.areas);
     stiffestPlates_ = stiffestNode(elements, mechanics.mesh.areas);
 }
 
@@ -332,7 +299,8 @@ void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
     renewEvery_ = static_cast<int>(platesEvery_ / double(fraction_));
     step_ = 0;
     keep_ = float(std::exp(-damping_ * smallStep_));
-    const auto h = float(smallStep_), longest = float(longestStep_), squared = float(longestStep_ * longestStep_);
+    const auto h = float(smallStep_), longest = float(longestStep_),
+               squared = float(longestStep_ * longestStep_);
     for (std::size_t n = 0; n < count_; ++n) {
         const MovingNode &v = velocity_[n], &a = acceleration_[n];
         const float inverseMass = start_[n].inverseMass;
