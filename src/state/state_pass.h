@@ -27,8 +27,8 @@ class StatePass {
 
     bool saves() const { return kind_ == Kind::save; }
     bool restores() const { return kind_ == Kind::restore; }
-    // Whether there is another value: always true in a pass that saves.
-    bool hasMore() const { return saves() || reader_->left() > 0; }
+    // Whether there is another saved value. @pre a pass that does not save
+    bool hasMore() const { return reader_->left() > 0; }
 
     template <typename Part>
     void part(Part& part) {

@@ -87,7 +87,9 @@ TEST(PlateResponse, IsLimitedInTheDirectionsThatExceedIt) {
         }
         EXPECT_LE(after, max * (1 + 1e-9)) << i;
         changed += before > max;
-        if (before < 0.9 * max) EXPECT_EQ(plates[i].weights, limited[i].weights) << i;
+        if (before < 0.9 * max) {
+            EXPECT_EQ(plates[i].weights, limited[i].weights) << i;
+        }
         // It still bends with no energy only where it did: rigid motions leave it flat.
         for (const auto& weights : limited[i].weights) {
             double sum = 0;

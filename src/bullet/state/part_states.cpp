@@ -63,7 +63,8 @@ void SmallStepSheet::state(BulletPass& pass) {
     for (PlateState& plates : plateStates_)
         for (auto& component : plates.slid)
             for (float& curvature : component) pass.number(curvature);
-    if (!pass.hasMore()) return;  // saved by Drench 0.1, before steps were remembered
+    // Drench 0.1 did not remember steps.
+    if (pass.saves() ? longestStep_ == 0 : !pass.hasMore()) return;
     for (double* const time : {&longestStep_, &longestInWindow_, &longestBefore_, &sinceWindow_})
         pass.number(*time, 0, 1e6);
 }

@@ -76,7 +76,8 @@ void hang(btSoftBody& sheet, const Specimen& specimen, test::SmallStepWorld& rig
 // The length of each step, s, and the timescale in it.
 struct Pattern {
     const char* name;
-    double longest;  // s
+    double
+        equal;  // length of the equal steps that it is compared with, s: the longest with as long small steps
     std::function<double(int)> length;
     std::function<double(int)> timescale = [](int) { return 1.0; };
 };
@@ -91,7 +92,7 @@ std::vector<Pattern> patterns() {
          [random = std::mt19937(3)](int) mutable {
              return std::uniform_real_distribution<double>(0.0005, 0.033)(random);
          }},
-        {"a hiccup", 1.0 / 15, [](int i) { return i == 60 ? 1.0 / 15 : 1.0 / 60; }},
+        {"a hiccup", 1.0 / 60, [](int i) { return i == 60 ? 1.0 / 15 : 1.0 / 60; }},
         {"slow motion", 1.0 / 60, [](int) { return 1.0 / 60; }, [](int i) { return i % 6 < 3 ? 1.0 : 0.2; }}};
 }
 
@@ -134,7 +135,7 @@ class UnequalSteps : public testing::TestWithParam<Specimen> {};
 
 TEST_P(UnequalSteps, LetASheetRestAndHangAsInEqualOnes) {
     for (const Pattern& pattern : patterns()) {
-        const Settled equal = settled(GetParam(), {"", 0, [&](int) { return pattern.longest; }}),
+        const Settled equal = settled(GetParam(), {"", 0, [&](int) { return pattern.equal; }}),
                       found = settled(GetParam(), pattern);
         EXPECT_LT(found.speed, std::max(0.001, 2 * equal.speed)) << pattern.name;
         EXPECT_LT(found.strain, 1.05 * equal.strain + 0.005) << pattern.name;
@@ -156,20 +157,22 @@ INSTANTIATE_TEST_SUITE_P(Sheets, UnequalSteps,
 TEST(UnequalStep, AFixedCountLetsASheetRestToo) {
     const Specimen specimen{"", "cotton", 9, Hung::byCorners, false, 0, 10};
     for (const Pattern& pattern : patterns()) {
-        if (pattern.longest > 0.03) continue;  // too soft to rest within ten seconds, also in equal steps
-        const Settled equal = settled(specimen, {"", 0, [&](int) { return pattern.longest; }}),
+        if (pattern.equal > 0.03) continue;  // too soft to rest within ten seconds, also in equal steps
+        if (pattern.name == std::string("a hiccup")) continue;  // falls, and is lifted again
+        const Settled equal = settled(specimen, {"", 0, [&](int) { return pattern.equal; }}),
                       found = settled(specimen, pattern);
         EXPECT_LT(found.speed, std::max(0.001, 2 * equal.speed)) << pattern.name;
         EXPECT_LT(found.strain, 1.05 * equal.strain + 0.005) << pattern.name;
     }
 }
 
-// Kinetic energy and height, J.
-double energyOf(const btSoftBody& sheet) {
+// Energy of motion and height, J.
+double energyOf(const btSoftBody& sheet, double gravity) {
     double sum = 0;
-    for (int n = 0; n < sheet.m_nodes.size(); ++n)
-        sum += test::mass(sheet.m_nodes[n]) *
-               (0.5 * double(sheet.m_nodes[n].m_v.length2()) + 9.81 * double(sheet.m_nodes[n].m_x.y()));
+    for (int n = 0; n < sheet.m_nodes.size(); ++n) {
+        const btSoftBody::Node& node = sheet.m_nodes[n];
+        sum += test::mass(node) * (0.5 * double(node.m_v.length2()) + gravity * double(node.m_x.y()));
+    }
     return sum;
 }
 
@@ -188,8 +191,8 @@ TEST(UnequalStep, ASwingingSheetGainsNoEnergy) {
             const double dt = length(i);
             rig.bullet().step(dt, 1);
             time += dt * pattern.timescale(i);
-            most = std::max(most, energyOf(sheet));
-            if (time > 4) late = std::max(late, energyOf(sheet));
+            most = std::max(most, energyOf(sheet, 9.81));
+            if (time > 4) late = std::max(late, energyOf(sheet, 9.81));
         }
         EXPECT_LT(most, 0.005 * span) << pattern.name;
         EXPECT_LT(late, -0.2 * span) << pattern.name;
@@ -204,14 +207,13 @@ TEST(UnequalStep, AFreeSheetThatShakesKeepsItsMomentumAndLosesEnergy) {
         rig.cover(sheet, fabrics::cottonPlain(), test::withoutAir());
         for (int n = 0; n < sheet.m_nodes.size(); ++n)
             sheet.m_nodes[n].m_v = {1, btScalar(std::sin(20 * double(sheet.m_nodes[n].m_x.x()))), 0};
-        const auto kinetic = [&sheet] { return rms(sheet) * rms(sheet); };
         const btVector3 before = test::momentum(sheet);
-        const double start = kinetic();
+        const double start = energyOf(sheet, 0);
         const auto length = pattern.length;
         for (int i = 0; i < 120; ++i) {
             sheet.m_cfg.timescale = btScalar(pattern.timescale(i));
             rig.bullet().step(length(i), 1);
-            EXPECT_LT(kinetic(), 1.001 * start) << pattern.name << ", step " << i;
+            EXPECT_LT(energyOf(sheet, 0), 1.001 * start) << pattern.name << ", step " << i;
         }
         EXPECT_LT(double((test::momentum(sheet) - before).length()), 1e-3 * double(before.length()))
             << pattern.name;
