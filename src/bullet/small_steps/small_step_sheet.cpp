@@ -310,7 +310,8 @@ void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
         steps_[n] = {v.x * h, v.y * h, v.z * h, 0};
         push_[n] = {a.x * squared + v.x * feed, a.y * squared + v.y * feed, a.z * squared + v.z * feed, 0};
     }
-    moved_[count_] = push_[count_] = {0, 0, 0, 0};  // the spare node must not accumulate anything
+    moved_[count_] = push_[count_] =
+        ahead_[count_] = {0, 0, 0, 0};  // the spare node must not accumulate anything
     kernels_.prepareLinks(links_.data(), dryStiffness_.data(), start_.data(), ratios_.data(), squared,
                           links_.size());
     kernels_.preparePlates(push_.data(), plates_.data(), plateStates_.data(), plateWeights_.data(),
@@ -318,13 +319,21 @@ void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
                            plates_.size());
 }
 
+// A step shorter than the longest one gets that fraction of the impulses of the longest one, which the cloth
+// finds from where its nodes would be after that one. So it is equally stiff in steps of any length, and hangs
+// equally low. (An impulse found at the end of the shorter step would make it stiffer: links that one sweep
+// does not resolve are as stiff as m / h^2, and their stiffness would change with h.)
 void SmallStepSheet::advance() {
     if (step_++ % renewEvery_ == 0 && platesEvery_ > 1) renewMoments();
     const auto& push = platesEvery_ > 1 ? pushAndMoments_ : push_;
     if (fraction_ < 1)
-        advanceByFraction(push);
+        kernels_.advanceByFraction(arrays(), push.data(), keep_, fraction_, count_);
     else
         kernels_.advance(moved_.data(), predicted_.data(), steps_.data(), push.data(), keep_, count_);
+}
+
+StepArrays SmallStepSheet::arrays() {
+    return {moved_.data(), predicted_.data(), steps_.data(), ahead_.data(), expected_.data()};
 }
 
 void SmallStepSheet::solveCloth() {
@@ -333,41 +342,7 @@ void SmallStepSheet::solveCloth() {
         kernels_.solvePlates(nodes.data(), nodes.data(), plates_.data(), plateWeights_.data(),
                              plates_.size());
     kernels_.solveLinks(nodes.data(), links_.data(), links_.size());
-    if (fraction_ < 1) correctByFraction();
-}
-
-// A step shorter than the longest one gets that fraction of the impulses of the longest one, which the cloth
-// finds from where its nodes would be after that one. So it is equally stiff in steps of any length, and hangs
-// equally low. (An impulse found at the end of the shorter step would make it stiffer: links that one sweep
-// does not resolve are as stiff as m / h^2, and their stiffness would change with h.)
-void SmallStepSheet::advanceByFraction(const std::vector<MovingNode>& push) {
-    const float keep = keep_, squared = fraction_ * fraction_, times = 1 / fraction_;
-    for (std::size_t n = 0; n < count_; ++n) {
-        MovingNode &node = moved_[n], &step = steps_[n], &ahead = ahead_[n];
-        const MovingNode &before = predicted_[n], &by = push[n];
-        const bool isPin = !(node.inverseMass > 0);  // its push makes up for damping in this step
-        const float now = isPin ? 1 : squared, later = isPin ? times : 1;
-        const float x = (step.x + (node.x - before.x)) * keep, y = (step.y + (node.y - before.y)) * keep,
-                    z = (step.z + (node.z - before.z)) * keep;
-        step = {x + by.x * now, y + by.y * now, z + by.z * now, 0};
-        ahead = {node.x + x * times + by.x * later, node.y + y * times + by.y * later,
-                 node.z + z * times + by.z * later, node.inverseMass};
-        node = {node.x + step.x, node.y + step.y, node.z + step.z, node.inverseMass};
-        predicted_[n] = node;
-    }
-    ahead_[count_] = {0, 0, 0, 0};
-    expected_ = ahead_;
-}
-
-void SmallStepSheet::correctByFraction() {
-    const float squared = fraction_ * fraction_;
-    for (std::size_t n = 0; n < count_; ++n) {
-        MovingNode& node = moved_[n];
-        const MovingNode &corrected = ahead_[n], &expected = expected_[n];
-        node.x += squared * (corrected.x - expected.x);
-        node.y += squared * (corrected.y - expected.y);
-        node.z += squared * (corrected.z - expected.z);
-    }
+    if (fraction_ < 1) kernels_.correctByFraction(arrays(), fraction_, count_);
 }
 
 // Moments that are kept for several steps are extrapolated to the end of that interval: late moments would

@@ -93,8 +93,7 @@ class SmallStepSheet {
     double longestBendingStep(const SheetMechanics& mechanics) const;
     int stepsBetweenPlates(const SheetMechanics& mechanics, double step) const;
     void renewLongestStep();
-    void advanceByFraction(const std::vector<MovingNode>& push);
-    void correctByFraction();
+    StepArrays arrays();
     bool isWhereItWas(const btSoftBody& body) const;
     void renewMoments();
     int firstLost() const;
