@@ -14,7 +14,13 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// Macklin et al. call a substep; "substep" always means one of Bullet's.)
 struct SmallStepSettings {
     /// Number of small steps per substep; 1 to 1000, or 0 (default): chosen automatically from `stretchTolerance` and
-    /// the bending rigidity, at least 4. All sheets of a world use the largest number that any of them needs.
+    /// the bending rigidity, at least 4, and so that no small step is longer than 4.2 ms of the sheet's own time. All
+    /// sheets of a world use the largest number that any of them needs.
+    ///
+    /// Small steps may differ in length, because substeps do, or the number, or the timescale: a sheet has in all of
+    /// them the stiffness that it has in the longest of the last 4 to 8 s, so it rests and hangs as in equal steps.
+    /// It becomes softer at once where a longer step needs it, and stiffer over seconds. With a `count` that you set
+    /// this is noticeable after a single long substep; with 0 all small steps are about equally long.
     int count = 0;
 
     /// Mean excess strain allowed in a hanging sheet, dimensionless; 1e-5 to 1; default 0.01.
@@ -27,7 +33,8 @@ struct SmallStepSettings {
     ///
     /// The second limit is bending: the rigidity B is reached up to about h = 0.17 l^2 sqrt(rho / B), or 0.1 l^2
     /// sqrt(rho / B) with bending friction, which is stiffer until it slides. If `count` is set below what this needs,
-    /// fine cloth bends too easily.
+    /// fine cloth bends too easily. l stands for what triangles on nine tenths of the area need: a few slivers do not
+    /// determine the number of steps, and bend more easily instead.
     double stretchTolerance = 0.01;
 
     /// Whether each node has a tether to the nearest pin (Kim et al. 2012, "Long range attachments"), which limits the

@@ -33,13 +33,15 @@ void SheetAnchors::begin(const btSoftBody& body, SmallStepSheet& sheet, const So
         tie.arm = start.getBasis() * body.m_anchors[tie.anchor].m_local;
         tie.from = start.getOrigin() + tie.arm - sheet.startPosition(static_cast<std::size_t>(tie.node));
         const auto node = static_cast<std::size_t>(tie.node);
-        if (!(sheet.moved(node).inverseMass > 0)) continue;
-        sheet.place(node, (tie.from + solids[tie.solid].displacement(tie.arm)) * tie.influence);
+        // A node with less influence hangs below its anchor; moving it up again and again would never let it rest.
+        if (!(sheet.moved(node).inverseMass > 0) || tie.influence < 1) continue;
+        sheet.place(node, tie.from + solids[tie.solid].displacement(tie.arm));
     }
 }
 
 void SheetAnchors::solve(SmallStepSheet& sheet, Solids& solids) const {
     for (const Tie& tie : ties_) {
+        const auto influence = btScalar(sheet.fractionOf(double(tie.influence)));
         MovingNode& node = sheet.moved(static_cast<std::size_t>(tie.node));
         Solid& solid = solids[tie.solid];
         const btVector3 gap = tie.from + solid.displacement(tie.arm) - vectorOf(node);
@@ -47,7 +49,7 @@ void SheetAnchors::solve(SmallStepSheet& sheet, Solids& solids) const {
         if (!(length > 0)) continue;
         const btScalar response = inverseMass + solid.response(tie.arm, gap / length);
         if (!(response > 0)) continue;
-        const btVector3 push = gap * (tie.influence / response);
+        const btVector3 push = gap * (influence / response);
         shift(node, push * inverseMass);
         solid.push(tie.arm, -push);
     }

@@ -73,6 +73,8 @@ class SmallStepSheet {
     // than it would move by itself.
     btScalar farthestPull() const { return farthestPull_; }
     double smallStep() const { return smallStep_; }
+    // The fraction of a gap that a spring closes in a small step, if it closes the given one in the longest.
+    double fractionOf(double ofLongest) const;
 
   private:
     friend class BulletPass;
@@ -82,7 +84,9 @@ class SmallStepSheet {
     void packPlates(const SheetMechanics& mechanics);
     double arealDensity(const SheetMechanics& mechanics) const;
     double longestBendingStep(const SheetMechanics& mechanics) const;
-    int stepsBetweenPlates(const SheetMechanics& mechanics, int steps) const;
+    int stepsBetweenPlates(const SheetMechanics& mechanics, double step) const;
+    void renewLongestStep();
+    StepArrays arrays();
     void renewMoments();
     int firstLost() const;
     void boundNodes(const btSoftBody& body);
@@ -93,11 +97,17 @@ class SmallStepSheet {
     std::size_t count_;            // number of nodes of the body; the arrays have one more, the spare node
     double substep_ = 0;           // s
     double smallStep_ = 0;         // s
+    double longestStep_ = 0;       // small step for which the cloth has its stiffness, s
+    double longestInWindow_ = 0;   // longest small step since the present window of time began, s
+    double longestBefore_ = 0;     // and in the window before it, s
+    double sinceWindow_ = 0;       // time since the window began, s
+    float fraction_ = 1;           // ratio of the small step to the longest one
     double damping_ = 0;           // 1/s
     double gravity_ = 0;           // m/s2
     btScalar farthestMotion_ = 0;  // largest displacement per axis in a substep, m
     int step_ = 0;                 // index of the next small step
-    int platesEvery_ = 1;          // number of small steps between evaluations of plates
+    int platesEvery_ = 1;          // number of longest small steps between evaluations of plates
+    int renewEvery_ = 1;           // number of small steps in that time
     float keep_ = 1;               // fraction of the velocity that a step keeps
 
     btVector3 origin_ = btVector3(0, 0, 0);  // of start_, m
@@ -116,7 +126,8 @@ class SmallStepSheet {
     std::vector<MovingNode> steps_;           // displacement per small step, m
     std::vector<MovingNode> push_;            // m per small step
     std::vector<MovingNode> pushAndMoments_;  // the same with moments of plates that are kept
-    std::vector<MovingNode> ahead_;           // predicted positions at the end of that interval
+    std::vector<MovingNode> ahead_;           // predicted positions at the end of that interval, or step
+    std::vector<MovingNode> expected_;        // ahead_ before corrections
 
     std::vector<LinkBlock> links_;
     std::vector<float> dryStiffness_;  // N/m, eight for each block
