@@ -183,11 +183,11 @@ void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechani
 }
 
 void SmallStepSheet::boundNodes(const btSoftBody& body) {
-    btVector3 mean(0, 0, 0);
-    for (std::size_t n = 0; n < count_; ++n) mean += vectorOf(reach_[n]) / btScalar(count_);
+    meanReach_.setZero();
+    for (std::size_t n = 0; n < count_; ++n) meanReach_ += vectorOf(reach_[n]) / btScalar(count_);
     farthestPull_ = 0;
     for (std::size_t n = 0; n < count_; ++n)
-        farthestPull_ = std::max(farthestPull_, (vectorOf(reach_[n]) - mean).length2());
+        farthestPull_ = std::max(farthestPull_, (vectorOf(reach_[n]) - meanReach_).length2());
     farthestPull_ = std::sqrt(farthestPull_);
     bounds_.resize((count_ + nodesOfBounds - 1) / nodesOfBounds);
     for (std::size_t n = 0; n < count_; ++n) {

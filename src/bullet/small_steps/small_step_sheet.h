@@ -69,8 +69,9 @@ class SmallStepSheet {
     static constexpr std::size_t nodesOfBounds = 32;
     const std::vector<Bounds>& bounds() const { return bounds_; }
     Bounds allBounds() const;
-    // The largest difference of these displacements from their mean, m. Neighbours may pull a node so much farther
+    // The mean of these displacements, and the largest difference from it, m. Neighbours may pull a node so much farther
     // than it would move by itself.
+    const btVector3& meanReach() const { return meanReach_; }
     btScalar farthestPull() const { return farthestPull_; }
     double smallStep() const { return smallStep_; }
     // The fraction of a gap that a spring closes in a small step, if it closes the given one in the longest.
@@ -116,7 +117,8 @@ class SmallStepSheet {
     std::vector<MovingNode> acceleration_;   // of gravity and forces, m/s2
     std::vector<MovingNode> reach_;          // m
     std::vector<Bounds> bounds_;
-    btScalar farthestPull_ = 0;  // m
+    btVector3 meanReach_ = btVector3(0, 0, 0);  // m
+    btScalar farthestPull_ = 0;                 // m
     std::vector<NodeRatios> ratios_;
     std::vector<btVector3> end_;  // positions at the end of the last substep, m; empty at first
     std::vector<std::array<int, 3>> triangles_;

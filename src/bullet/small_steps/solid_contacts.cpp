@@ -123,14 +123,17 @@ struct SolidContacts::Search {
     std::size_t touching;
     Bounds bounds;  // of the shape, in the coordinates of the solid
     btScalar turn;  // angle by which the solid turns in the substep, rad
-    // How much farther than by its velocity a node may get, because others pull it, m.
+    // How much farther than by its velocity a node may get, because others pull it, m: they may be as fast as any,
+    // or meet the solid at full speed.
     btScalar pull;
 };
 
 void SolidContacts::find(const SmallStepSheet& sheet, const Solid& solid, std::size_t touching) {
     const btCollisionShape& shape = *solid.object().getCollisionShape();
-    Search search = {sheet, solid, touching, {}, solid.path().motion().angular.length(), sheet.farthestPull()};
+    const Twist motion = solid.path().motion();
+    Search search = {sheet, solid, touching, {}, motion.angular.length(), sheet.farthestPull()};
     shape.getAabb(btTransform::getIdentity(), search.bounds.low, search.bounds.high);
+    search.pull += ((sheet.meanReach() - motion.linear).length() + search.turn * search.bounds.halfDiagonal()) / 2;
     const btScalar around = slack * margin_ + search.pull + (sheetFriction_->canAdhere() ? reach_ : 0);
     if (shape.isConvex()) gather(shape, search.bounds);
     for (std::size_t group = 0; group < sheet.bounds().size(); ++group) {
@@ -324,7 +327,7 @@ void SolidContacts::solveAnew(NodeContacts& of, SmallStepSheet& sheet, Solids& s
         Solid& solid = solids[contacts_[i].solid];
         btScalar gap = gapOf(i, solid, alongSolid(i, of.node, sheet, solid));
         if (gap < 0) {
-            if (!reaches(i, of.node, sheet, solid)) continue;
+            if (!reaches(of, i, sheet, solid)) continue;
             gap = gapOf(i, solid, alongSolid(i, of.node, sheet, solid));
         }
         solveContact(i, of.node, gap, sheet, solid);
@@ -404,27 +407,41 @@ void SolidContacts::goOn(std::size_t contact, btScalar depth) {
     now.gap += float(plane.rest);
 }
 
-bool SolidContacts::reaches(std::size_t contact, std::size_t n, SmallStepSheet& sheet, const Solid& solid) {
-    const btVector3 end = body_->m_nodes[static_cast<int>(n)].m_x + vectorOf(sheet.moved(n));
-    const btVector3 from = solid.poseBefore().invXform(end - sheet.step(n)), to = solid.pose().invXform(end);
+bool SolidContacts::reaches(const NodeContacts& of, std::size_t contact, SmallStepSheet& sheet,
+                            const Solid& solid) {
+    const btVector3 end = body_->m_nodes[static_cast<int>(of.node)].m_x + vectorOf(sheet.moved(of.node));
+    const btVector3 from = solid.poseBefore().invXform(end - sheet.step(of.node));
+    const btVector3 to = solid.pose().invXform(end);
     const btScalar length = (to - from).length();
     if (length < margin_ / 2) return true;
-    const SolidPart& part = parts_[candidates_[planes_[contact].candidate].part];
     // Conservative advancement: as far at a time as the surface is away.
     constexpr int most = 16;
     constexpr auto touching = btScalar(1.05);  // margins
+    const std::size_t onSolid = candidates_[planes_[contact].candidate].touching;
     btScalar time = 0;
     SurfacePoint surface;
     btVector3 point;
     for (int i = 0; i < most; ++i) {
         point = from + (to - from) * time;
-        surface = nearestOn(part, point, body_->m_worldInfo->m_sparsesdf);
+        surface = nearestOf(of, onSolid, point);
         if (surface.distance < touching * margin_) break;
         time += (surface.distance - margin_) / length;
         if (time >= 1) return false;
     }
-    if (time > 0) writePlane(contact, point - surface.normal * surface.distance, surface.normal, n, sheet, solid);
+    if (time > 0)
+        writePlane(contact, point - surface.normal * surface.distance, surface.normal, of.node, sheet, solid);
     return true;
+}
+
+// The nearest surface point of the candidates of a node on one solid, in the coordinates of the solid.
+SurfacePoint SolidContacts::nearestOf(const NodeContacts& of, std::size_t touching, const btVector3& point) const {
+    SurfacePoint nearest = {BT_LARGE_FLOAT, {0, 1, 0}};
+    for (std::size_t i = of.firstCandidate; i < of.firstCandidate + of.candidates; ++i) {
+        if (candidates_[i].touching != touching) continue;
+        const SurfacePoint found = nearestOn(parts_[candidates_[i].part], point, body_->m_worldInfo->m_sparsesdf);
+        if (found.distance < nearest.distance) nearest = found;
+    }
+    return nearest;
 }
 
 void SolidContacts::hold(std::size_t contact, SmallStepSheet& sheet, std::size_t n, Solid& solid,

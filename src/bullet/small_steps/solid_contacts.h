@@ -118,8 +118,9 @@ class SolidContacts {
     // Finds the planes of a node again, where it is at the start of the small step.
     void renew(NodeContacts& of, SmallStepSheet& sheet, const Solids& solids);
     void goOn(std::size_t contact, btScalar depth);
-    // Whether the node reaches the part of a contact in the small step; the plane is then that of the place.
-    bool reaches(std::size_t contact, std::size_t n, SmallStepSheet& sheet, const Solid& solid);
+    // Whether the node reaches the solid of a contact in the small step; the plane is then that of the place.
+    bool reaches(const NodeContacts& of, std::size_t contact, SmallStepSheet& sheet, const Solid& solid);
+    SurfacePoint nearestOf(const NodeContacts& of, std::size_t touching, const btVector3& point) const;
     void hold(std::size_t contact, SmallStepSheet& sheet, std::size_t n, Solid& solid, btScalar depth);
 
     btSoftBody* body_ = nullptr;

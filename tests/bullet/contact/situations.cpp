@@ -400,7 +400,8 @@ Outcome play(const Situation& situation) {
     Mover solid(*rig.world, situation, form->shape(), at(start), velocity, spin);
     Outcome outcome;
     {
-        // Air damps the swing of what hangs; without it momentum is kept.
+        // What hangs over an edge swings; without air, momentum is kept.
+        if (isAtRest) sheet->m_cfg.kDP = 1;
         WetCloth cloth(*rig.world, *sheet, fabrics::cottonPlain(), isAtRest ? SheetSettings() : withoutAir());
         if (situation.load == SolidLoad::spin) setVelocity(*sheet, {0, btScalar(-0.5), 0});
         const btVector3 before = solid.velocity() * btScalar(solidMass);
