@@ -401,7 +401,7 @@ Outcome play(const Situation& situation) {
     Outcome outcome;
     {
         // What hangs over an edge swings; without air, momentum is kept.
-        if (isAtRest) sheet->m_cfg.kDP = 1;
+        if (isAtRest) sheet->m_cfg.kDP = 2;
         WetCloth cloth(*rig.world, *sheet, fabrics::cottonPlain(), isAtRest ? SheetSettings() : withoutAir());
         if (situation.load == SolidLoad::spin) setVelocity(*sheet, {0, btScalar(-0.5), 0});
         const btVector3 before = solid.velocity() * btScalar(solidMass);
