@@ -1,5 +1,5 @@
 // Prints the table of docs/touch-and-air.md: what cloth does in the situations of games and robots, in the soft-rigid world
-// with small steps and with the stock solver. Takes about a minute.
+// with small steps and with the stock solver (without height fields). Takes about a minute.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,6 +19,8 @@ struct Worst {
 Worst worstOf(SolidKind kind, SolidLoad load, StepWorld world) {
     Worst worst;
     for (const SolidForm form : allForms()) {
+        // Bullet's own search takes minutes a frame on a height field of 2,048 triangles.
+        if (world == StepWorld::stock && form == SolidForm::heightField) continue;
         const Outcome found = play({kind, form, load, world});
         if (found.deepest > worst.deepest) worst.form = form;
         worst.deepest = std::max(worst.deepest, found.deepest);
