@@ -114,36 +114,6 @@ bool areNear(const btSoftBody& body, const btCollisionObject& solid) {
            TestAabbAgainstAabb2(one->m_aabbMin, one->m_aabbMax, other->m_aabbMin, other->m_aabbMax);
 }
 
-// Prepares the trees and nodes in which Bullet searches for contacts of soft bodies, so that it finds those
-// that are possible within the substep, and those within the reach of adhesion: around each node Bullet
-// searches twice the distance from m_x to m_q.
-void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth, const Friction& sheetFriction) {
-    if (body.m_fdbvt.empty()) makeFaceTree(body);  // otherwise made in the first stock step
-    const btScalar margin = body.getCollisionShape()->getMargin();
-    ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
-    btScalar farthest = 0;
-    for (std::size_t n = 0; n < cloth.size(); ++n) {
-        btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-        const btScalar adhesionReach =
-            sheetFriction.adheresToCloth[n] ? btScalar(sheetFriction.reach()) : btScalar(0);
-        const btScalar length = vectorOf(cloth.reach(n)).length() + adhesionReach;
-        farthest = std::max(farthest, length);
-        node.m_q = node.m_x - btVector3(length / 2, 0, 0);
-        volume = btDbvtVolume::FromCR(node.m_x, margin + length);
-        body.m_ndbvt.update(node.m_leaf, volume);
-    }
-    for (int f = 0; f < body.m_faces.size(); ++f) {
-        btSoftBody::Face& face = body.m_faces[f];
-        if (!face.m_leaf) continue;
-        const btVector3* corners[] = {&face.m_n[0]->m_x, &face.m_n[1]->m_x, &face.m_n[2]->m_x};
-        volume = btDbvtVolume::FromPoints(corners, 3);
-        volume.Expand(btVector3(margin + farthest, margin + farthest, margin + farthest));
-        body.m_fdbvt.update(face.m_leaf, volume);
-    }
-    body.m_ndbvt.optimizeIncremental(1);
-    body.m_fdbvt.optimizeIncremental(1);
-}
-
 }  // namespace
 
 struct SmallStepSolver::State {
@@ -193,6 +163,7 @@ void SmallStepSolver::predictMotion(btScalar substep) {
     state_->softContacts.clear();
     for (int i = 0; i < m_softBodySet.size(); ++i) {
         btSoftBody& body = *m_softBodySet[i];
+        state_->softContacts.remember(body);
         if (!body.isActive()) continue;
         if (SheetMechanics* const mechanics = mechanicsOf(body))
             state_->predict(body, *mechanics, substep);
@@ -214,8 +185,7 @@ void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics
     while (body.m_rcontacts.size() > 0) body.m_rcontacts.pop_back();
     body.m_scontacts.resize(0);
     writeBounds(body, sheet.cloth);
-    if (body.m_cfg.collisions & btSoftBody::fCollision::VF_SS)
-        prepareSoftContacts(body, sheet.cloth, mechanics.sheetFriction);
+    if (!body.m_fdbvt.empty()) prepareTrees(body, sheet.cloth, mechanics.sheetFriction);
     mechanics.times.solver += watch.lap();
 }
 
@@ -238,7 +208,14 @@ void SmallStepSolver::processCollision(btSoftBody* body, btSoftBody* other) {
     if (!mechanics && !others) return btDefaultSoftBodySolver::processCollision(body, other);
     using Collision = btSoftBody::fCollision;
     if (body == other || !(body->m_cfg.collisions & other->m_cfg.collisions & Collision::VF_SS)) return;
+    if (!areNear(*body, *other)) return;
     StopWatch watch;
+    for (SheetMechanics* const each : {mechanics, others}) {
+        btSoftBody& of = each == mechanics ? *body : *other;
+        if (!each || !of.m_fdbvt.empty()) continue;
+        makeFaceTree(of);
+        prepareTrees(of, each->moving->cloth, each->sheetFriction);
+    }
     state_->softContacts.find(*body, *other);
     state_->softContacts.find(*other, *body);
     const double took = watch.lap();
@@ -294,14 +271,18 @@ void SmallStepSolver::State::begin(btScalar substep) {
     for (const Solving& each : sheets) {
         each.sheet->cloth.divide(*each.mechanics, steps);
         softSheets.push_back({each.body, &each.sheet->cloth, &each.mechanics->sheetFriction});
+    }
+    share(&StepTimes::solver, watch.lap());
+    softContacts.begin(softSheets, double(substep), steps);
+    share(&StepTimes::contacts, watch.lap());
+    for (const Solving& each : sheets) {
         each.sheet->contacts.begin(*each.body, each.sheet->cloth, solids);
         each.sheet->anchors.begin(*each.body, each.sheet->cloth, solids);
         if (settings.tethers)
             each.sheet->tethers.begin(*each.body, *each.mechanics, settings.stretchTolerance);
     }
+    softContacts.allowOverlap();
     share(&StepTimes::solver, watch.lap());
-    softContacts.begin(softSheets, double(substep), steps);
-    share(&StepTimes::contacts, watch.lap());
 }
 
 void SmallStepSolver::State::smallStep(double smallStepOfWorld) {

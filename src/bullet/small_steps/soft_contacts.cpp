@@ -6,92 +6,180 @@
 
 #include "bullet/contact/contact_law.h"
 #include "bullet/contact/flat_neighbours.h"
-#include "bullet/sheet/face_projection.h"
+#include "bullet/sheet/rest_shape.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-bool holds(const btSoftBody& body, const btSoftBody::Node& node) {
-    return &node >= &body.m_nodes[0] && &node <= &body.m_nodes[body.m_nodes.size() - 1];
+bool shareNode(const btSoftBody::Face& one, const btSoftBody::Face& other) {
+    for (const btSoftBody::Node* node : one.m_n)
+        if (std::find(other.m_n, other.m_n + 3, node) != other.m_n + 3) return true;
+    return false;
+}
+
+btVector3 normalOf(const btSoftBody::Face& face) {
+    const btVector3& origin = face.m_n[0]->m_x;
+    return (face.m_n[1]->m_x - origin).cross(face.m_n[2]->m_x - origin);
+}
+
+// On which side of a face a node exactly in its plane counts if it has not touched the face before: nodes of
+// either sheet must get opposite sides, so that the sheets move apart.
+btVector3 sideInPlane(const btVector3& normal, const btSoftBody& owner, const btSoftBody& other) {
+    const btVector3 anyDirection(btScalar(0.31), btScalar(0.91), btScalar(0.27));
+    const bool isAlong = normal.dot(anyDirection) > 0;
+    return isAlong == (owner.getWorldArrayIndex() > other.getWorldArrayIndex()) ? normal : -normal;
+}
+
+// Contacts that Bullet does not resolve are those of this library; their normals point to the node.
+bool isSilent(const btSoftBody::SContact& contact) {
+    return contact.m_cfm[0] == 0 && contact.m_cfm[1] == 0;
 }
 
 }  // namespace
 
 struct SoftContacts::Finder final : btDbvt::ICollide {
-    Finder(std::vector<Found>& found, btSoftBody& nodes, btSoftBody& faces)
-        : found_(found),
-          owner_(nodes),
-          other_(faces),
-          margin_(nodes.getCollisionShape()->getMargin() + faces.getCollisionShape()->getMargin()),
-          friction_(dryFriction(nodes, faces)) {}
+    Finder(SoftContacts& contacts, const btSoftBody& owner, const btSoftBody& other)
+        : contacts_(contacts),
+          owner_(owner),
+          other_(other),
+          margin_(owner.getCollisionShape()->getMargin() + other.getCollisionShape()->getMargin()),
+          friction_(dryFriction(owner, other)) {}
 
     void Process(const btDbvtNode* leafOfNode, const btDbvtNode* leafOfFace) override {
         auto& node = *static_cast<btSoftBody::Node*>(leafOfNode->data);
         auto& face = *static_cast<btSoftBody::Face*>(leafOfFace->data);
         const FaceProjection::Nearest nearest =
-            projection_.of(node.m_x, face.m_n[0]->m_x, face.m_n[1]->m_x, face.m_n[2]->m_x);
+            contacts_.projection_.of(node.m_x, face.m_n[0]->m_x, face.m_n[1]->m_x, face.m_n[2]->m_x);
         const btScalar distance = nearest.apart.length();
-        const btScalar farthest = margin_ + 2 * (node.m_x - node.m_q).length();
-        // For a node exactly in the plane of a face the outward direction is unknown.
-        if (!(distance > SIMD_EPSILON && distance < farthest)) return;
-        const btVector3 normal = nearest.apart / distance;
-        found_.push_back({&owner_, &other_,
-                          silentContact(node, face, nearest.weights, normal, farthest, friction_), margin_,
-                          distance});
+        const Remembered* const last = contacts_.lastContact(owner_, node, face);
+        Found found;
+        btVector3 normal;
+        if (!decideSide(face, nearest.apart, distance, last, normal, found.distance)) return;
+        found.contact = silentContact(node, face, nearest.weights, normal, margin_, friction_);
+        found.pressed = last ? std::clamp(margin_ - last->kept, btScalar(0), margin_ / 2) : btScalar(0);
+        constexpr auto inside = btScalar(1e-4);
+        found.isInFace = nearest.weights[nearest.weights.minAxis()] > inside;
+        contacts_.found_.push_back(found);
     }
 
   private:
-    std::vector<Found>& found_;
-    btSoftBody& owner_;
-    btSoftBody& other_;
+    // Normal and distance of a contact.
+    // @return whether the face has an area, and the numbers are finite
+    bool decideSide(const btSoftBody::Face& face, const btVector3& apart, btScalar length,
+                    const Remembered* last, btVector3& normal, btScalar& distance) const {
+        btVector3 up = normalOf(face);
+        const btScalar area = up.length();
+        if (!(area > 0 && length < std::numeric_limits<btScalar>::max())) return false;
+        up /= area;
+        const btScalar side = last ? up.dot(last->normal) : btScalar(0);
+        // The last contact with the border of the cloth says nothing about sides.
+        constexpr auto sure = btScalar(0.3);
+        const bool knowsSide = std::abs(side) > sure;
+        if (side < 0) up = -up;
+        constexpr auto inPlane = btScalar(1e-5);
+        if (length <= inPlane * margin_) {
+            normal = knowsSide ? up : sideInPlane(up, owner_, other_);
+            distance = 0;
+            return true;
+        }
+        normal = apart / length;
+        distance = length;
+        if (knowsSide && faceAlike(normal, -up)) {
+            normal = -normal;
+            distance = -length;
+        }
+        return true;
+    }
+
+    SoftContacts& contacts_;
+    const btSoftBody& owner_;
+    const btSoftBody& other_;
     const btScalar margin_;
     const btScalar friction_;
-    FaceProjection projection_;
 };
+
+void SoftContacts::clear() {
+    found_.clear();
+    pairs_.clear();
+    for (Body& body : bodies_) {
+        body.remembered.clear();
+        body.sheet = nullptr;
+        body.guests.clear();
+    }
+}
+
+SoftContacts::Body& SoftContacts::bodyOf(const btSoftBody& body) {
+    const auto index = static_cast<std::size_t>(std::max(body.getWorldArrayIndex(), 0));
+    if (index >= bodies_.size()) bodies_.resize(index + 1);
+    return bodies_[index];
+}
+
+void SoftContacts::remember(const btSoftBody& body) {
+    if (body.m_scontacts.size() == 0) return;
+    std::vector<Remembered>& remembered = bodyOf(body).remembered;
+    for (int i = 0; i < body.m_scontacts.size(); ++i) {
+        const btSoftBody::SContact& contact = body.m_scontacts[i];
+        if (isSilent(contact))
+            remembered.push_back({contact.m_node, contact.m_face, contact.m_normal, contact.m_margin});
+    }
+    std::stable_sort(remembered.begin(), remembered.end(),
+                     [](const Remembered& a, const Remembered& b) { return a.node < b.node; });
+}
+
+// The last contact of a node with a face or with one that shares a node with it; null for none.
+const SoftContacts::Remembered* SoftContacts::lastContact(const btSoftBody& owner,
+                                                          const btSoftBody::Node& node,
+                                                          const btSoftBody::Face& face) {
+    const std::vector<Remembered>& remembered = bodyOf(owner).remembered;
+    auto each = std::lower_bound(remembered.begin(), remembered.end(), &node,
+                                 [](const Remembered& a, const btSoftBody::Node* b) { return a.node < b; });
+    const Remembered* near = nullptr;
+    for (; each != remembered.end() && each->node == &node; ++each) {
+        if (each->face == &face) return &*each;
+        if (!near && shareNode(*each->face, face)) near = &*each;
+    }
+    return near;
+}
 
 void SoftContacts::find(btSoftBody& nodes, btSoftBody& faces) {
     const std::size_t first = found_.size();
-    Finder finder(found_, nodes, faces);
+    Finder finder(*this, nodes, faces);
     nodes.m_ndbvt.collideTT(nodes.m_ndbvt.m_root, faces.m_fdbvt.m_root, finder);
     choose(first);
+    if (found_.size() > first)
+        pairs_.push_back({&nodes, &faces, first, found_.size(),
+                          nodes.getCollisionShape()->getMargin() + faces.getCollisionShape()->getMargin()});
 }
 
+// The nearest face counts; of the others those that have the node above their inside, as in a fold, and the
+// nearest on the other side of the node, as between two layers. Planes of all others end before the node.
 void SoftContacts::choose(std::size_t first) {
     const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(first);
     std::sort(begin, found_.end(), [](const Found& a, const Found& b) {
         if (a.contact.m_node != b.contact.m_node) return a.contact.m_node < b.contact.m_node;
-        return a.distance != b.distance ? a.distance < b.distance : a.contact.m_face < b.contact.m_face;
+        const btScalar one = std::abs(a.distance), two = std::abs(b.distance);
+        return one != two ? one < two : a.contact.m_face < b.contact.m_face;
     });
     auto kept = begin;
-    const Found* nearest = nullptr;
+    const btSoftBody::Node* node = nullptr;
+    btVector3 normal(0, 0, 0);
+    bool hasOpposite = false;
     for (auto each = begin; each != found_.end(); ++each) {
-        const bool isNearest = !nearest || nearest->contact.m_node != each->contact.m_node;
-        if (!isNearest && !rises(*each, *nearest)) continue;
-        *kept = *each;
-        if (isNearest) nearest = &*kept;
+        const bool isNearest = node != each->contact.m_node;
+        if (isNearest) {
+            node = each->contact.m_node;
+            normal = each->contact.m_normal;
+            hasOpposite = false;
+        }
+        const bool isOpposite = normal.dot(each->contact.m_normal) < 0;
+        if (!isNearest && !each->isInFace && (!isOpposite || hasOpposite)) continue;
+        hasOpposite = hasOpposite || isOpposite;
+        if (kept != each) *kept = *each;
         ++kept;
     }
     found_.erase(kept, found_.end());
-}
-
-// Whether a face rises above the plane of the contact of a node with the nearest face; its own plane then
-// counts, too.
-bool SoftContacts::rises(Found& found, const Found& nearest) {
-    const btVector3& up = nearest.contact.m_normal;
-    const btVector3& place = found.contact.m_node->m_x;
-    const btVector3 point = place - up * nearest.distance;
-    const auto* const corners = found.contact.m_face->m_n;
-    btScalar top = 0;
-    for (int corner = 0; corner < 3; ++corner) top = std::max(top, up.dot(corners[corner]->m_x - point));
-    if (!risesAbove(top, found.margin)) return false;
-    const btVector3 normal = (corners[1]->m_x - corners[0]->m_x).cross(corners[2]->m_x - corners[0]->m_x);
-    const btScalar length = normal.length();
-    if (!(length > 0)) return false;
-    const bool isBehind = normal.dot(place - corners[0]->m_x) < 0;
-    found.contact.m_normal = normal / (isBehind ? -length : length);
-    return true;
 }
 
 void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int steps) {
@@ -101,33 +189,37 @@ void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int s
     contacts_.clear();
     guests_.clear();
     // Bullet lists pairs of bodies in the order in which they first met, which is unknown to restored sheets.
-    std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+    std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
         const int one = a.owner->getWorldArrayIndex(), two = b.owner->getWorldArrayIndex();
         return one != two ? one < two : a.other->getWorldArrayIndex() < b.other->getWorldArrayIndex();
     });
-    for (const Found& found : found_) contacts_.push_back(placed(found, sheets));
-    for (const Sheet& sheet : sheets) updateAdhesion(sheet, sheets);
+    for (const Sheet& sheet : sheets) bodyOf(*sheet.body).sheet = &sheet;
+    for (std::size_t pair = 0; pair < pairs_.size();) {
+        const btSoftBody* const owner = pairs_[pair].owner;
+        const std::size_t first = contacts_.size();
+        for (; pair < pairs_.size() && pairs_[pair].owner == owner; ++pair)
+            for (std::size_t found = pairs_[pair].first; found < pairs_[pair].end; ++found)
+                contacts_.push_back(placed(pair, found));
+        if (const Sheet* const sheet = bodyOf(*owner).sheet) updateAdhesion(*sheet, first, contacts_.size());
+    }
+    for (Contact& contact : contacts_) separate(contact, float(pairs_[contact.pair].margin));
 }
 
-void SoftContacts::updateAdhesion(const Sheet& sheet, const std::vector<Sheet>& sheets) {
-    Friction& sheetFriction = *sheet.sheetFriction;
+void SoftContacts::updateAdhesion(const Sheet& sheet, std::size_t first, std::size_t end) {
+    const Friction& sheetFriction = *sheet.sheetFriction;
     if (!sheetFriction.canAdhere()) return;
     nearest_.assign(sheet.cloth->size(), -1);
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        Contact& contact = contacts_[i];
-        if (contact.sheets[0] != sheet.cloth) continue;
-        int& nearest = nearest_[contact.nodes[0]];
-        if (nearest < 0 || contact.gap < contacts_[static_cast<std::size_t>(nearest)].gap)
+    for (std::size_t i = first; i < end; ++i) {
+        int& nearest = nearest_[contacts_[i].nodes[0]];
+        if (nearest < 0 || contacts_[i].gap < contacts_[static_cast<std::size_t>(nearest)].gap)
             nearest = static_cast<int>(i);
     }
     for (const int nearest : nearest_) {
         if (nearest < 0) continue;
-        const auto i = static_cast<std::size_t>(nearest);
-        const auto other = std::find_if(sheets.begin(), sheets.end(), [&](const Sheet& each) {
-            return each.cloth == contacts_[i].sheets[1];
-        });
-        updateAdhesion(contacts_[i], *found_[i].other, sheetFriction,
-                       other == sheets.end() ? nullptr : other->sheetFriction);
+        Contact& contact = contacts_[static_cast<std::size_t>(nearest)];
+        const btSoftBody& other = *pairs_[contact.pair].other;
+        const Sheet* const ofFace = bodyOf(other).sheet;
+        updateAdhesion(contact, other, sheetFriction, ofFace ? ofFace->sheetFriction : nullptr);
     }
 }
 
@@ -146,67 +238,87 @@ void SoftContacts::updateAdhesion(Contact& contact, const btSoftBody& other, con
     contact.adheres = contact.adhesion > 0 && (contact.gap < 0 || ofNode.adheresToCloth[node] == &other);
 }
 
-SoftContacts::Contact SoftContacts::placed(const Found& found, const std::vector<Sheet>& sheets) {
+SoftContacts::Contact SoftContacts::placed(std::size_t pair, std::size_t found) {
+    const btSoftBody::SContact& source = found_[found].contact;
     Contact contact = {};
-    const btSoftBody::SContact& source = found.contact;
-    btVector3 apart = place(contact, 0, *source.m_node, *found.owner, sheets);
+    contact.pair = pair;
+    contact.found = found;
+    btVector3 apart = place(contact, 0, *source.m_node, *pairs_[pair].owner);
     contact.weights[0] = 1;
     for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::size_t at = corner + 1;
-        apart -= place(contact, at, *source.m_face->m_n[corner], *found.other, sheets) *
-                 source.m_weights[int(corner)];
-        contact.weights[at] = -float(source.m_weights[int(corner)]);
+        const btScalar weight = source.m_weights[int(corner)];
+        apart -= place(contact, at, *source.m_face->m_n[corner], *pairs_[pair].other) * weight;
+        contact.weights[at] = -float(weight);
     }
     contact.normal = source.m_normal;
     contact.friction = float(source.m_friction);
-    for (const Sheet& sheet : sheets)
-        if (sheet.cloth == contact.sheets[0])
-            contact.friction *= float(sheet.sheetFriction->frictionRatio(contact.nodes[0]));
+    if (const Sheet* const sheet = bodyOf(*pairs_[pair].owner).sheet)
+        contact.friction *= float(sheet->sheetFriction->frictionRatio(contact.nodes[0]));
     for (std::size_t i = 0; i < 4; ++i)
         contact.response += contact.weights[i] * contact.weights[i] * contact.moved[i]->inverseMass;
-    contact.gap = float(apart.dot(source.m_normal) - found.margin);
-    lift(contact, float(found.margin));
+    contact.gap = float(apart.dot(source.m_normal) - pairs_[pair].margin);
+    contact.pressed = float(found_[found].pressed);
     return contact;
 }
 
-// Separates overlapping bodies.
-void SoftContacts::lift(Contact& contact, float margin) {
-    if (contact.gap >= 0 || !(contact.response > 0)) return;
-    const float lifted = liftAtOnce(-contact.gap, margin);
+float SoftContacts::depthOf(const Contact& contact) {
+    float apart = contact.gap;
     for (std::size_t i = 0; i < 4; ++i) {
-        const btVector3 by = contact.normal * btScalar(lifted * contact.weights[i] *
-                                                       contact.moved[i]->inverseMass / contact.response);
+        const MovingNode& moved = *contact.moved[i];
+        apart += contact.weights[i] * (moved.x * float(contact.normal.x()) + moved.y * float(contact.normal.y()) +
+                                       moved.z * float(contact.normal.z()));
+    }
+    return -apart;
+}
+
+// Moves overlapping cloth apart without changing its velocity.
+void SoftContacts::separate(Contact& contact, float margin) {
+    const float depth = depthOf(contact) - contact.pressed;
+    if (!(depth > 0 && contact.response > 0 && depth < std::numeric_limits<float>::max())) return;
+    const float apart = liftAtOnce(depth, margin) / contact.response;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const btVector3 by =
+            contact.normal * btScalar(apart * contact.weights[i] * contact.moved[i]->inverseMass);
         if (contact.sheets[i])
             contact.sheets[i]->place(contact.nodes[i], by);
         else
             shift(*contact.moved[i], by);
     }
-    contact.gap = -lifted;
+}
+
+void SoftContacts::allowOverlap() {
+    for (Contact& contact : contacts_) contact.gap += std::max(0.0f, depthOf(contact) - contact.pressed);
 }
 
 btVector3 SoftContacts::place(Contact& contact, std::size_t corner, btSoftBody::Node& node,
-                              const btSoftBody& body, const std::vector<Sheet>& sheets) {
-    for (const Sheet& sheet : sheets) {
-        if (!holds(*sheet.body, node)) continue;
-        contact.sheets[corner] = sheet.cloth;
-        contact.nodes[corner] = static_cast<std::size_t>(&node - &sheet.body->m_nodes[0]);
-        contact.moved[corner] = &sheet.cloth->moved(contact.nodes[corner]);
-        return sheet.cloth->startPosition(contact.nodes[corner]);
+                              const btSoftBody& owner) {
+    if (const Sheet* const sheet = bodyOf(owner).sheet) {
+        contact.sheets[corner] = sheet->cloth;
+        contact.nodes[corner] = static_cast<std::size_t>(indexOf(owner, &node));
+        contact.moved[corner] = &sheet->cloth->moved(contact.nodes[corner]);
+        return sheet->cloth->startPosition(contact.nodes[corner]);
     }
     contact.sheets[corner] = nullptr;
-    contact.nodes[corner] = guestOf(node, body.isActive());
+    contact.nodes[corner] = guestOf(node, owner);
     Guest& guest = guests_[contact.nodes[corner]];
     contact.moved[corner] = &guest.moved;
     return guest.start;
 }
 
-std::size_t SoftContacts::guestOf(btSoftBody::Node& node, bool isAwake) {
-    for (std::size_t i = 0; i < guests_.size(); ++i)
-        if (guests_[i].node == &node) return i;
-    // Bullet does not move sleeping bodies, and neither does this.
-    const btVector3 start = isAwake ? node.m_q : node.m_x;
-    guests_.push_back({&node, start, node.m_x - start, {0, 0, 0, isAwake ? float(node.m_im) : 0}, {0, 0, 0}});
-    return guests_.size() - 1;
+std::size_t SoftContacts::guestOf(btSoftBody::Node& node, const btSoftBody& owner) {
+    std::vector<int>& guests = bodyOf(owner).guests;
+    if (guests.empty()) guests.assign(static_cast<std::size_t>(owner.m_nodes.size()), -1);
+    int& guest = guests[static_cast<std::size_t>(indexOf(owner, &node))];
+    if (guest < 0) {
+        guest = static_cast<int>(guests_.size());
+        // Bullet does not move sleeping bodies, and neither does this.
+        const bool isAwake = owner.isActive();
+        const btVector3 start = isAwake ? node.m_q : node.m_x;
+        guests_.push_back(
+            {&node, start, node.m_x - start, {0, 0, 0, isAwake ? float(node.m_im) : 0}, {0, 0, 0}});
+    }
+    return static_cast<std::size_t>(guest);
 }
 
 void SoftContacts::advance() {
@@ -227,10 +339,7 @@ btVector3 SoftContacts::step(const Contact& contact, std::size_t corner) const {
 void SoftContacts::solve() {
     for (Contact& contact : contacts_) {
         if (!(contact.response > 0)) continue;
-        btVector3 apart(0, 0, 0);
-        for (std::size_t i = 0; i < 4; ++i)
-            apart += vectorOf(*contact.moved[i]) * btScalar(contact.weights[i]);
-        const btScalar depth = -(btScalar(contact.gap) + apart.dot(contact.normal));
+        const auto depth = btScalar(depthOf(contact));
         contact.adheres =
             adhesionHolds(contact.adhesion, contact.adheres || depth > 0, -depth, contact.reach);
         if (!((depth > 0 || contact.adheres) && std::abs(depth) < std::numeric_limits<btScalar>::max()))
@@ -262,13 +371,16 @@ void SoftContacts::finish(const std::vector<Sheet>& sheets) {
     for (const Sheet& sheet : sheets)
         std::fill(sheet.sheetFriction->adheresToCloth.begin(), sheet.sheetFriction->adheresToCloth.end(),
                   nullptr);
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const Contact& contact = contacts_[i];
-        if (contact.touched) found_[i].owner->m_scontacts.push_back(found_[i].contact);
-        if (!contact.adheres) continue;
-        for (const Sheet& sheet : sheets)
-            if (sheet.cloth == contact.sheets[0])
-                sheet.sheetFriction->adheresToCloth[contact.nodes[0]] = found_[i].other;
+    for (const Contact& contact : contacts_) {
+        const Pair& pair = pairs_[contact.pair];
+        const float depth = depthOf(contact);
+        if (contact.touched || depth > 0) {
+            btSoftBody::SContact& touched = found_[contact.found].contact;
+            touched.m_margin = pair.margin - (depth > 0 ? btScalar(depth) : btScalar(0));
+            pair.owner->m_scontacts.push_back(touched);
+        }
+        const Sheet* const sheet = contact.adheres ? bodyOf(*pair.owner).sheet : nullptr;
+        if (sheet) sheet->sheetFriction->adheresToCloth[contact.nodes[0]] = pair.other;
     }
     for (const Guest& guest : guests_) {
         const btVector3 moved = vectorOf(guest.moved);
@@ -276,6 +388,43 @@ void SoftContacts::finish(const std::vector<Sheet>& sheets) {
         guest.node->m_x = guest.start + moved;
         guest.node->m_v += (moved - guest.before - guest.own * fraction_) / (substep_ * fraction_);
     }
+}
+
+void prepareTrees(btSoftBody& body, const SmallStepSheet& cloth, const Friction& sheetFriction) {
+    const btScalar margin = body.getCollisionShape()->getMargin();
+    // Neighbours may pull a node farther than it would move by itself.
+    const btScalar pulled = cloth.farthestReach() / 2;
+    ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
+    const auto swept = [](const btVector3& start, const btVector3& reach) {
+        btVector3 low = start, high = start;
+        low.setMin(start + reach);
+        high.setMax(start + reach);
+        return btDbvtVolume::FromMM(low, high);
+    };
+    const auto around = [](btScalar by) { return btVector3(by, by, by); };
+    for (std::size_t n = 0; n < cloth.size(); ++n) {
+        const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        volume = swept(node.m_x, vectorOf(cloth.reach(n)));
+        const bool adheres = sheetFriction.adheresToCloth[n] != nullptr;
+        volume.Expand(around(margin + pulled + (adheres ? btScalar(sheetFriction.reach()) : btScalar(0))));
+        body.m_ndbvt.update(node.m_leaf, volume);
+    }
+    for (int f = 0; f < body.m_faces.size(); ++f) {
+        const btSoftBody::Face& face = body.m_faces[f];
+        if (!face.m_leaf) continue;
+        bool isFirst = true;
+        for (const btSoftBody::Node* corner : face.m_n) {
+            const auto n = static_cast<std::size_t>(indexOf(body, corner));
+            btDbvtVolume ofCorner = swept(corner->m_x, vectorOf(cloth.reach(n)));
+            if (!isFirst) Merge(volume, ofCorner, ofCorner);
+            volume = ofCorner;
+            isFirst = false;
+        }
+        volume.Expand(around(margin + pulled));
+        body.m_fdbvt.update(face.m_leaf, volume);
+    }
+    body.m_ndbvt.optimizeIncremental(1);
+    body.m_fdbvt.optimizeIncremental(1);
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE
