@@ -185,7 +185,7 @@ void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics
     while (body.m_rcontacts.size() > 0) body.m_rcontacts.pop_back();
     body.m_scontacts.resize(0);
     writeBounds(body, sheet.cloth);
-    if (!body.m_fdbvt.empty()) prepareTrees(body, sheet.cloth, mechanics.sheetFriction);
+    if (!body.m_fdbvt.empty()) prepareFaceTree(body, sheet.cloth);
     mechanics.times.solver += watch.lap();
 }
 
@@ -214,10 +214,12 @@ void SmallStepSolver::processCollision(btSoftBody* body, btSoftBody* other) {
         btSoftBody& of = each == mechanics ? *body : *other;
         if (!each || !of.m_fdbvt.empty()) continue;
         makeFaceTree(of);
-        prepareTrees(of, each->moving->cloth, each->sheetFriction);
+        prepareFaceTree(of, each->moving->cloth);
     }
-    state_->softContacts.find(*body, *other);
-    state_->softContacts.find(*other, *body);
+    const auto clothOf = [](const SheetMechanics* of) { return of ? &of->moving->cloth : nullptr; };
+    const auto frictionOf = [](const SheetMechanics* of) { return of ? &of->sheetFriction : nullptr; };
+    state_->softContacts.find(*body, *other, clothOf(mechanics), frictionOf(mechanics));
+    state_->softContacts.find(*other, *body, clothOf(others), frictionOf(others));
     const double took = watch.lap();
     const bool both = mechanics && others;
     for (SheetMechanics* const each : {mechanics, others})

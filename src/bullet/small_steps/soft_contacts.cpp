@@ -32,6 +32,18 @@ btVector3 sideInPlane(const btVector3& normal, const btSoftBody& owner, const bt
     return isAlong == (owner.getWorldArrayIndex() > other.getWorldArrayIndex()) ? normal : -normal;
 }
 
+// Neighbours may pull a node farther than it would move by itself.
+btScalar pulled(const SmallStepSheet& cloth) {
+    return cloth.farthestReach() / 2;
+}
+
+btDbvtVolume swept(const btVector3& from, const btVector3& to, btScalar around) {
+    Bounds bounds = {from, from};
+    bounds.take(to);
+    bounds.grow(around);
+    return btDbvtVolume::FromMM(bounds.low, bounds.high);
+}
+
 // Contacts that Bullet does not resolve are those of this library; their normals point to the node.
 bool isSilent(const btSoftBody::SContact& contact) {
     return contact.m_cfm[0] == 0 && contact.m_cfm[1] == 0;
@@ -39,58 +51,101 @@ bool isSilent(const btSoftBody::SContact& contact) {
 
 }  // namespace
 
+// Searches the faces near a node.
 struct SoftContacts::Finder final : btDbvt::ICollide {
-    Finder(SoftContacts& contacts, const btSoftBody& owner, const btSoftBody& other)
+    Finder(SoftContacts& contacts, const btSoftBody& owner, const btSoftBody& other, btScalar margins)
         : contacts_(contacts),
           owner_(owner),
           other_(other),
-          margin_(owner.getCollisionShape()->getMargin() + other.getCollisionShape()->getMargin()),
-          friction_(dryFriction(owner, other)) {}
+          margin_(margins),
+          friction_(dryFriction(owner, other)),
+          remembered_(contacts.bodyOf(owner).remembered),
+          nextRemembered_(remembered_.begin()) {}
 
-    void Process(const btDbvtNode* leafOfNode, const btDbvtNode* leafOfFace) override {
-        auto& node = *static_cast<btSoftBody::Node*>(leafOfNode->data);
-        auto& face = *static_cast<btSoftBody::Face*>(leafOfFace->data);
+    // Adds the contacts of a node that count. Called in the order of the nodes.
+    void find(btSoftBody::Node& node, const btDbvtVolume& around) {
+        const btDbvt& tree = other_.m_fdbvt;
+        node_ = &node;
+        near_.clear();
+        tree.collideTVNoStackAlloc(tree.m_root, around, stack_, *this);
+        if (near_.empty()) return;
+        beginLast();
+        choose();
+    }
+
+    void Process(const btDbvtNode* leaf) override {
+        auto& face = *static_cast<btSoftBody::Face*>(leaf->data);
         const FaceProjection::Nearest nearest =
-            contacts_.projection_.of(node.m_x, face.m_n[0]->m_x, face.m_n[1]->m_x, face.m_n[2]->m_x);
-        const btScalar distance = nearest.apart.length();
-        const Remembered* const last = contacts_.lastContact(owner_, node, face);
-        Found found;
-        btVector3 normal;
-        if (!decideSide(face, nearest.apart, distance, last, normal, found.distance)) return;
-        found.contact = silentContact(node, face, nearest.weights, normal, margin_, friction_);
-        found.pressed = last ? std::clamp(margin_ - last->kept, btScalar(0), margin_ / 2) : btScalar(0);
-        constexpr auto inside = btScalar(1e-4);
-        found.isInFace = nearest.weights[nearest.weights.minAxis()] > inside;
-        contacts_.found_.push_back(found);
+            projection_.of(node_->m_x, face.m_n[0]->m_x, face.m_n[1]->m_x, face.m_n[2]->m_x);
+        near_.push_back({&face, nearest, nearest.apart.length()});
     }
 
   private:
-    // Normal and distance of a contact.
+    // The contacts of a node are with the points of the cloth to which its distance is a local minimum. A point
+    // on the border of a face is none if another face there has a nearer one: the plane through it would end
+    // before the node, and stop nodes that slide along. Local minima change continuously when the node moves;
+    // the nearest point alone would jump.
+    void choose() {
+        std::sort(near_.begin(), near_.end(), [](const Near& a, const Near& b) {
+            return a.distance != b.distance ? a.distance < b.distance : a.face < b.face;
+        });
+        for (std::size_t i = 0; i < near_.size(); ++i) {
+            Found found;
+            const auto hasPoint = [&](const Near& nearer) { return holdsPoint(*nearer.face, near_[i]); };
+            const auto end = near_.begin() + static_cast<std::ptrdiff_t>(i);
+            if (std::none_of(near_.begin(), end, hasPoint) && decideSide(near_[i], found))
+                contacts_.found_.push_back(found);
+        }
+    }
+
+    // Whether the nearest point of another face lies on an edge or corner of this one.
+    static bool holdsPoint(const btSoftBody::Face& face, const Near& near) {
+        constexpr auto none = btScalar(1e-4);
+        for (int corner = 0; corner < 3; ++corner)
+            if (near.nearest.weights[corner] > none &&
+                std::find(face.m_n, face.m_n + 3, near.face->m_n[corner]) == face.m_n + 3)
+                return false;
+        return true;
+    }
+
     // @return whether the face has an area, and the numbers are finite
-    bool decideSide(const btSoftBody::Face& face, const btVector3& apart, btScalar length,
-                    const Remembered* last, btVector3& normal, btScalar& distance) const {
+    bool decideSide(const Near& near, Found& found) const {
+        const btSoftBody::Face& face = *near.face;
         btVector3 up = normalOf(face);
         const btScalar area = up.length();
-        if (!(area > 0 && length < std::numeric_limits<btScalar>::max())) return false;
+        if (!(area > 0 && near.distance < std::numeric_limits<btScalar>::max())) return false;
         up /= area;
+        const Remembered* const last = lastContact(face);
         const btScalar side = last ? up.dot(last->normal) : btScalar(0);
         // The last contact with the border of the cloth says nothing about sides.
         constexpr auto sure = btScalar(0.3);
         const bool knowsSide = std::abs(side) > sure;
         if (side < 0) up = -up;
         constexpr auto inPlane = btScalar(1e-5);
-        if (length <= inPlane * margin_) {
-            normal = knowsSide ? up : sideInPlane(up, owner_, other_);
-            distance = 0;
-            return true;
+        btVector3 normal = knowsSide ? up : sideInPlane(up, owner_, other_);
+        if (near.distance > inPlane * margin_) {
+            normal = near.nearest.apart / near.distance;
+            if (knowsSide && faceAlike(normal, -up)) normal = -normal;
         }
-        normal = apart / length;
-        distance = length;
-        if (knowsSide && faceAlike(normal, -up)) {
-            normal = -normal;
-            distance = -length;
-        }
+        found.contact =
+            silentContact(*node_, *near.face, near.nearest.weights, normal, margin_, friction_);
+        found.pressed = last ? std::clamp(margin_ - last->kept, btScalar(0), margin_ / 2) : btScalar(0);
         return true;
+    }
+
+    // Finds the last contacts of the node.
+    void beginLast() {
+        while (nextRemembered_ != remembered_.end() && nextRemembered_->node < node_) ++nextRemembered_;
+    }
+
+    // The last contact of the node with a face or with one that shares a node with it; null for none.
+    const Remembered* lastContact(const btSoftBody::Face& face) const {
+        const Remembered* adjacent = nullptr;
+        for (auto each = nextRemembered_; each != remembered_.end() && each->node == node_; ++each) {
+            if (each->face == &face) return &*each;
+            if (!adjacent && shareNode(*each->face, face)) adjacent = &*each;
+        }
+        return adjacent;
     }
 
     SoftContacts& contacts_;
@@ -98,6 +153,12 @@ struct SoftContacts::Finder final : btDbvt::ICollide {
     const btSoftBody& other_;
     const btScalar margin_;
     const btScalar friction_;
+    const std::vector<Remembered>& remembered_;
+    std::vector<Remembered>::const_iterator nextRemembered_;  // the first of this node or a later one
+    btSoftBody::Node* node_ = nullptr;
+    std::vector<Near>& near_ = contacts_.near_;
+    btNodeStack& stack_ = contacts_.stack_;
+    FaceProjection projection_;
 };
 
 void SoftContacts::clear() {
@@ -128,58 +189,22 @@ void SoftContacts::remember(const btSoftBody& body) {
                      [](const Remembered& a, const Remembered& b) { return a.node < b.node; });
 }
 
-// The last contact of a node with a face or with one that shares a node with it; null for none.
-const SoftContacts::Remembered* SoftContacts::lastContact(const btSoftBody& owner,
-                                                          const btSoftBody::Node& node,
-                                                          const btSoftBody::Face& face) {
-    const std::vector<Remembered>& remembered = bodyOf(owner).remembered;
-    auto each = std::lower_bound(remembered.begin(), remembered.end(), &node,
-                                 [](const Remembered& a, const btSoftBody::Node* b) { return a.node < b; });
-    const Remembered* near = nullptr;
-    for (; each != remembered.end() && each->node == &node; ++each) {
-        if (each->face == &face) return &*each;
-        if (!near && shareNode(*each->face, face)) near = &*each;
-    }
-    return near;
-}
-
-void SoftContacts::find(btSoftBody& nodes, btSoftBody& faces) {
+void SoftContacts::find(btSoftBody& nodes, btSoftBody& faces, const SmallStepSheet* ofNodes,
+                        const Friction* sheetFriction) {
+    if (faces.m_fdbvt.empty()) return;
     const std::size_t first = found_.size();
-    Finder finder(*this, nodes, faces);
-    nodes.m_ndbvt.collideTT(nodes.m_ndbvt.m_root, faces.m_fdbvt.m_root, finder);
-    choose(first);
-    if (found_.size() > first)
-        pairs_.push_back({&nodes, &faces, first, found_.size(),
-                          nodes.getCollisionShape()->getMargin() + faces.getCollisionShape()->getMargin()});
-}
-
-// The nearest face counts; of the others those that have the node above their inside, as in a fold, and the
-// nearest on the other side of the node, as between two layers. Planes of all others end before the node.
-void SoftContacts::choose(std::size_t first) {
-    const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(first);
-    std::sort(begin, found_.end(), [](const Found& a, const Found& b) {
-        if (a.contact.m_node != b.contact.m_node) return a.contact.m_node < b.contact.m_node;
-        const btScalar one = std::abs(a.distance), two = std::abs(b.distance);
-        return one != two ? one < two : a.contact.m_face < b.contact.m_face;
-    });
-    auto kept = begin;
-    const btSoftBody::Node* node = nullptr;
-    btVector3 normal(0, 0, 0);
-    bool hasOpposite = false;
-    for (auto each = begin; each != found_.end(); ++each) {
-        const bool isNearest = node != each->contact.m_node;
-        if (isNearest) {
-            node = each->contact.m_node;
-            normal = each->contact.m_normal;
-            hasOpposite = false;
-        }
-        const bool isOpposite = normal.dot(each->contact.m_normal) < 0;
-        if (!isNearest && !each->isInFace && (!isOpposite || hasOpposite)) continue;
-        hasOpposite = hasOpposite || isOpposite;
-        if (kept != each) *kept = *each;
-        ++kept;
+    const btScalar margin = nodes.getCollisionShape()->getMargin(),
+                   margins = margin + faces.getCollisionShape()->getMargin();
+    Finder finder(*this, nodes, faces, margins);
+    for (int n = 0; n < nodes.m_nodes.size(); ++n) {
+        btSoftBody::Node& node = nodes.m_nodes[n];
+        const auto i = static_cast<std::size_t>(n);
+        const btVector3 other = ofNodes ? node.m_x + vectorOf(ofNodes->reach(i)) : node.m_q;
+        btScalar around = margin + (ofNodes ? pulled(*ofNodes) : btScalar(0));
+        if (ofNodes && sheetFriction->adheresToCloth[i]) around += btScalar(sheetFriction->reach());
+        finder.find(node, swept(node.m_x, other, around));
     }
-    found_.erase(kept, found_.end());
+    if (found_.size() > first) pairs_.push_back({&nodes, &faces, first, found_.size(), margins});
 }
 
 void SoftContacts::begin(const std::vector<Sheet>& sheets, double substep, int steps) {
@@ -390,40 +415,21 @@ void SoftContacts::finish(const std::vector<Sheet>& sheets) {
     }
 }
 
-void prepareTrees(btSoftBody& body, const SmallStepSheet& cloth, const Friction& sheetFriction) {
-    const btScalar margin = body.getCollisionShape()->getMargin();
-    // Neighbours may pull a node farther than it would move by itself.
-    const btScalar pulled = cloth.farthestReach() / 2;
+void prepareFaceTree(btSoftBody& body, const SmallStepSheet& cloth) {
+    const btScalar around = body.getCollisionShape()->getMargin() + pulled(cloth);
     ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
-    const auto swept = [](const btVector3& start, const btVector3& reach) {
-        btVector3 low = start, high = start;
-        low.setMin(start + reach);
-        high.setMax(start + reach);
-        return btDbvtVolume::FromMM(low, high);
-    };
-    const auto around = [](btScalar by) { return btVector3(by, by, by); };
-    for (std::size_t n = 0; n < cloth.size(); ++n) {
-        const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-        volume = swept(node.m_x, vectorOf(cloth.reach(n)));
-        const bool adheres = sheetFriction.adheresToCloth[n] != nullptr;
-        volume.Expand(around(margin + pulled + (adheres ? btScalar(sheetFriction.reach()) : btScalar(0))));
-        body.m_ndbvt.update(node.m_leaf, volume);
-    }
     for (int f = 0; f < body.m_faces.size(); ++f) {
         const btSoftBody::Face& face = body.m_faces[f];
         if (!face.m_leaf) continue;
-        bool isFirst = true;
+        Bounds bounds = {face.m_n[0]->m_x, face.m_n[0]->m_x};
         for (const btSoftBody::Node* corner : face.m_n) {
-            const auto n = static_cast<std::size_t>(indexOf(body, corner));
-            btDbvtVolume ofCorner = swept(corner->m_x, vectorOf(cloth.reach(n)));
-            if (!isFirst) Merge(volume, ofCorner, ofCorner);
-            volume = ofCorner;
-            isFirst = false;
+            bounds.take(corner->m_x);
+            bounds.take(corner->m_x + vectorOf(cloth.reach(static_cast<std::size_t>(indexOf(body, corner)))));
         }
-        volume.Expand(around(margin + pulled));
+        bounds.grow(around);
+        volume = btDbvtVolume::FromMM(bounds.low, bounds.high);
         body.m_fdbvt.update(face.m_leaf, volume);
     }
-    body.m_ndbvt.optimizeIncremental(1);
     body.m_fdbvt.optimizeIncremental(1);
 }
 

@@ -41,8 +41,11 @@ class SoftContacts {
     // of each substep, before the list is emptied.
     void remember(const btSoftBody& body);
 
-    // Finds contacts of the nodes of one body with the faces of another, with Bullet's trees.
-    void find(btSoftBody& nodes, btSoftBody& faces);
+    // Finds contacts of the nodes of one body with the faces of another, in Bullet's tree of faces; see
+    // prepareFaceTree.
+    // @param ofNodes, sheetFriction  of the body of the nodes; null for guests
+    void find(btSoftBody& nodes, btSoftBody& faces, const SmallStepSheet* ofNodes,
+              const Friction* sheetFriction);
 
     // Called after that, in each substep. Separates overlapping cloth.
     void begin(const std::vector<Sheet>& sheets, double substep, int steps);
@@ -59,11 +62,15 @@ class SoftContacts {
 
   private:
     struct Finder;
+    // A face near the current node.
+    struct Near {
+        btSoftBody::Face* face;
+        FaceProjection::Nearest nearest;
+        btScalar distance;  // m
+    };
     struct Found {
         btSoftBody::SContact contact;
-        btScalar distance;  // m; negative behind the face
-        btScalar pressed;   // depth that the forces of the last substep have left, m
-        bool isInFace;      // whether the nearest point is inside the face, not on its border
+        btScalar pressed;  // depth that the forces of the last substep have left, m
     };
     // The contacts of the nodes of one body with the faces of another.
     struct Pair {
@@ -110,10 +117,6 @@ class SoftContacts {
     };
 
     Body& bodyOf(const btSoftBody& body);
-    const Remembered* lastContact(const btSoftBody& owner, const btSoftBody::Node& node,
-                                  const btSoftBody::Face& face);
-    // Keeps for each node the contacts that count.
-    void choose(std::size_t first);
 
     Contact placed(std::size_t pair, std::size_t found);
     // @return position of the node at the start of the substep
@@ -129,8 +132,9 @@ class SoftContacts {
     std::size_t guestOf(btSoftBody::Node& node, const btSoftBody& owner);
     btVector3 step(const Contact& contact, std::size_t corner) const;
 
-    FaceProjection projection_;
     std::vector<Body> bodies_;  // by their index in the world
+    std::vector<Near> near_;
+    btNodeStack stack_;
     std::vector<Found> found_;
     std::vector<Pair> pairs_;
     std::vector<Contact> contacts_;  // in the order of the pairs
@@ -141,9 +145,9 @@ class SoftContacts {
     bool isFirstStep_ = true;
 };
 
-// Prepares the trees in which SoftContacts searches, so that it finds the contacts that are possible within the
-// substep, and those within the reach of adhesion.
-void prepareTrees(btSoftBody& body, const SmallStepSheet& cloth, const Friction& sheetFriction);
+// Prepares the tree of faces in which SoftContacts searches, so that it finds the contacts that are possible
+// within the substep.
+void prepareFaceTree(btSoftBody& body, const SmallStepSheet& cloth);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench
