@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <cstdio>
+#include <cstdlib>
 
 #include "bullet/contact/contact_law.h"
 #include "bullet/contact/flat_neighbours.h"
@@ -46,7 +48,7 @@ btDbvtVolume swept(const btVector3& from, const btVector3& to, btScalar around) 
 
 // Contacts that Bullet does not resolve are those of this library; their normals point to the node.
 bool isSilent(const btSoftBody::SContact& contact) {
-    return contact.m_cfm[0] == 0 && contact.m_cfm[1] == 0;
+    return contact.m_cfm[0] == 0;
 }
 
 }  // namespace
@@ -130,6 +132,7 @@ struct SoftContacts::Finder final : btDbvt::ICollide {
         found.contact =
             silentContact(*node_, *near.face, near.nearest.weights, normal, margin_, friction_);
         found.pressed = last ? std::clamp(margin_ - last->kept, btScalar(0), margin_ / 2) : btScalar(0);
+        found.push = last ? last->push : btScalar(0);
         return true;
     }
 
@@ -183,7 +186,7 @@ void SoftContacts::remember(const btSoftBody& body) {
     for (int i = 0; i < body.m_scontacts.size(); ++i) {
         const btSoftBody::SContact& contact = body.m_scontacts[i];
         if (isSilent(contact))
-            remembered.push_back({contact.m_node, contact.m_face, contact.m_normal, contact.m_margin});
+            remembered.push_back({contact.m_node, contact.m_face, contact.m_normal, contact.m_margin, contact.m_cfm[1]});
     }
     std::stable_sort(remembered.begin(), remembered.end(),
                      [](const Remembered& a, const Remembered& b) { return a.node < b.node; });
@@ -284,6 +287,11 @@ SoftContacts::Contact SoftContacts::placed(std::size_t pair, std::size_t found) 
         contact.response += contact.weights[i] * contact.weights[i] * contact.moved[i]->inverseMass;
     contact.gap = float(apart.dot(source.m_normal) - pairs_[pair].margin);
     contact.pressed = float(found_[found].pressed);
+    btVector3 rate = source.m_node->m_v;
+    for (int corner = 0; corner < 3; ++corner) rate -= source.m_face->m_n[corner]->m_v * source.m_weights[corner];
+    contact.rate = -float(rate.dot(contact.normal) * substep_ * fraction_);
+    const double h = double(substep_ * fraction_);
+    if (contact.response > 0) contact.push = float(found_[found].push * h * h * contact.response);
     return contact;
 }
 
@@ -313,7 +321,11 @@ void SoftContacts::separate(Contact& contact, float margin) {
 }
 
 void SoftContacts::allowOverlap() {
-    for (Contact& contact : contacts_) contact.gap += std::max(0.0f, depthOf(contact) - contact.pressed);
+    for (Contact& contact : contacts_) {
+        contact.gap += std::max(0.0f, depthOf(contact) - contact.pressed);
+        contact.anchor.setZero();
+        for (std::size_t i = 0; i < 4; ++i) contact.anchor += vectorOf(*contact.moved[i]) * btScalar(contact.weights[i]);
+    }
 }
 
 btVector3 SoftContacts::place(Contact& contact, std::size_t corner, btSoftBody::Node& node,
@@ -347,6 +359,11 @@ std::size_t SoftContacts::guestOf(btSoftBody::Node& node, const btSoftBody& owne
 }
 
 void SoftContacts::advance() {
+    for (Contact& contact : contacts_) {
+        const float now = depthOf(contact);
+        if (!isFirstStep_) contact.rate = now - contact.was;
+        contact.was = now;
+    }
     for (Guest& guest : guests_) {
         // The node continues with the velocity that it got from impulses.
         const btVector3 step = isFirstStep_ ? guest.own * fraction_ : vectorOf(guest.moved) - guest.before;
@@ -362,28 +379,48 @@ btVector3 SoftContacts::step(const Contact& contact, std::size_t corner) const {
 }
 
 void SoftContacts::solve() {
+    static const float K = getenv("K") ? float(atof(getenv("K"))) : 1.0f;
+    static const float slackF = getenv("SL") ? float(atof(getenv("SL"))) : 0.05f;
     for (Contact& contact : contacts_) {
         if (!(contact.response > 0)) continue;
-        const auto depth = btScalar(depthOf(contact));
+        auto depth = btScalar(depthOf(contact));
         contact.adheres =
             adhesionHolds(contact.adhesion, contact.adheres || depth > 0, -depth, contact.reach);
+        contact.push = contact.drag = 0;
         if (!((depth > 0 || contact.adheres) && std::abs(depth) < std::numeric_limits<btScalar>::max()))
             continue;  // not for values that are not finite either
+        if (depth > 0) depth = std::max(depth * K, depth - slackF * pairs_[contact.pair].margin);
+        if (depth == 0 && !contact.adheres) continue;
         contact.touched = true;
-        const ContactLaw law = {btScalar(contact.friction),
-                                contact.adheres ? adhesionDisplacement(contact) : btScalar(0)};
+        const btScalar adhesion = contact.adheres ? adhesionDisplacement(contact) : btScalar(0);
+        const ContactLaw law = {btScalar(contact.friction), adhesion};
         const btScalar closing = law.push(depth);
-
-        btVector3 slip(0, 0, 0);
-        for (std::size_t i = 0; i < 4; ++i) slip += step(contact, i) * btScalar(contact.weights[i]);
-        slip = alongSurface(slip, contact.normal);
-        const btScalar length = slip.length();
-        btVector3 push = contact.normal * closing;
-        if (length > 0) push -= drag(slip, length, length, law.maxFriction(closing));
-        for (std::size_t i = 0; i < 4; ++i)
-            shift(*contact.moved[i],
-                  push * btScalar(contact.weights[i] * contact.moved[i]->inverseMass / contact.response));
+        contact.push = float(closing);
+        contact.drag = float(law.maxFriction(closing));
+        push(contact, contact.normal * closing);
     }
+    // Friction afterwards: within the loop above nodes slip that later contacts stop.
+    for (Contact& contact : contacts_) {
+        btVector3 moved(0, 0, 0);
+        for (std::size_t i = 0; i < 4; ++i) moved += vectorOf(*contact.moved[i]) * btScalar(contact.weights[i]);
+        if (!(contact.drag > 0)) {
+            contact.anchor = moved;
+            continue;
+        }
+        const btVector3 slip = alongSurface(moved - contact.anchor, contact.normal);
+        const btScalar length = slip.length();
+        if (!(length > 0)) continue;
+        const btVector3 stopped = drag(slip, length, length, btScalar(contact.drag));
+        contact.anchor += slip - stopped;
+        push(contact, -stopped);
+    }
+}
+
+// Moves node and face apart.
+void SoftContacts::push(Contact& contact, const btVector3& apart) {
+    for (std::size_t i = 0; i < 4; ++i)
+        shift(*contact.moved[i],
+              apart * btScalar(contact.weights[i] * contact.moved[i]->inverseMass / contact.response));
 }
 
 // Distance by which adhesion pulls node and face together in a small step, m.
@@ -402,6 +439,8 @@ void SoftContacts::finish(const std::vector<Sheet>& sheets) {
         if (contact.touched || depth > 0) {
             btSoftBody::SContact& touched = found_[contact.found].contact;
             touched.m_margin = pair.margin - (depth > 0 ? btScalar(depth) : btScalar(0));
+            const double h = double(substep_ * fraction_);
+            if (contact.response > 0) touched.m_cfm[1] = btScalar(contact.push / (contact.response * h * h));
             pair.owner->m_scontacts.push_back(touched);
         }
         const Sheet* const sheet = contact.adheres ? bodyOf(*pair.owner).sheet : nullptr;

@@ -71,6 +71,7 @@ class SoftContacts {
     struct Found {
         btSoftBody::SContact contact;
         btScalar pressed;  // depth that the forces of the last substep have left, m
+        btScalar push;     // N
     };
     // The contacts of the nodes of one body with the faces of another.
     struct Pair {
@@ -85,6 +86,7 @@ class SoftContacts {
         const btSoftBody::Face* face;
         btVector3 normal;
         btScalar kept;  // distance of node and face, m
+        btScalar push;  // N
     };
     struct Body {
         std::vector<Remembered> remembered;  // in the order of the nodes
@@ -100,10 +102,13 @@ class SoftContacts {
         btVector3 normal;  // from the face to the node
         float gap;         // at the start of the substep, m
         float pressed;     // depth that may push, m
+        float push;        // in the last small step, as the distance that it moves node and face apart, m
         float friction;    // friction coefficient
         float response;    // to an impulse along the normal, 1/kg
         float adhesion;    // adhesive force, N
         float reach;       // of adhesion, m
+        float was, rate, drag;
+        btVector3 anchor;
         bool adheres;
         bool touched;
     };
@@ -122,6 +127,7 @@ class SoftContacts {
     // @return position of the node at the start of the substep
     btVector3 place(Contact& contact, std::size_t corner, btSoftBody::Node& node, const btSoftBody& owner);
     void separate(Contact& contact, float margin);
+    static void push(Contact& contact, const btVector3& apart);
     static float depthOf(const Contact& contact);
     // Lets wet cloth adhere only by the nearest contact of each node; otherwise adhesion would count several
     // times.
