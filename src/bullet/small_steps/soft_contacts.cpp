@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <cstdio>
-#include <cstdlib>
 
 #include "bullet/contact/contact_law.h"
 #include "bullet/contact/flat_neighbours.h"
@@ -48,7 +46,7 @@ btDbvtVolume swept(const btVector3& from, const btVector3& to, btScalar around) 
 
 // Contacts that Bullet does not resolve are those of this library; their normals point to the node.
 bool isSilent(const btSoftBody::SContact& contact) {
-    return contact.m_cfm[0] == 0;
+    return contact.m_cfm[0] == 0 && contact.m_cfm[1] == 0;
 }
 
 }  // namespace
@@ -129,10 +127,8 @@ struct SoftContacts::Finder final : btDbvt::ICollide {
             normal = near.nearest.apart / near.distance;
             if (knowsSide && faceAlike(normal, -up)) normal = -normal;
         }
-        found.contact =
-            silentContact(*node_, *near.face, near.nearest.weights, normal, margin_, friction_);
+        found.contact = silentContact(*node_, *near.face, near.nearest.weights, normal, margin_, friction_);
         found.pressed = last ? std::clamp(margin_ - last->kept, btScalar(0), margin_ / 2) : btScalar(0);
-        found.push = last ? last->push : btScalar(0);
         return true;
     }
 
@@ -186,7 +182,7 @@ void SoftContacts::remember(const btSoftBody& body) {
     for (int i = 0; i < body.m_scontacts.size(); ++i) {
         const btSoftBody::SContact& contact = body.m_scontacts[i];
         if (isSilent(contact))
-            remembered.push_back({contact.m_node, contact.m_face, contact.m_normal, contact.m_margin, contact.m_cfm[1]});
+            remembered.push_back({contact.m_node, contact.m_face, contact.m_normal, contact.m_margin});
     }
     std::stable_sort(remembered.begin(), remembered.end(),
                      [](const Remembered& a, const Remembered& b) { return a.node < b.node; });
@@ -287,22 +283,11 @@ SoftContacts::Contact SoftContacts::placed(std::size_t pair, std::size_t found) 
         contact.response += contact.weights[i] * contact.weights[i] * contact.moved[i]->inverseMass;
     contact.gap = float(apart.dot(source.m_normal) - pairs_[pair].margin);
     contact.pressed = float(found_[found].pressed);
-    btVector3 rate = source.m_node->m_v;
-    for (int corner = 0; corner < 3; ++corner) rate -= source.m_face->m_n[corner]->m_v * source.m_weights[corner];
-    contact.rate = -float(rate.dot(contact.normal) * substep_ * fraction_);
-    const double h = double(substep_ * fraction_);
-    if (contact.response > 0) contact.push = float(found_[found].push * h * h * contact.response);
     return contact;
 }
 
 float SoftContacts::depthOf(const Contact& contact) {
-    float apart = contact.gap;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const MovingNode& moved = *contact.moved[i];
-        apart += contact.weights[i] * (moved.x * float(contact.normal.x()) + moved.y * float(contact.normal.y()) +
-                                       moved.z * float(contact.normal.z()));
-    }
-    return -apart;
+    return -(contact.gap + float(apartOf(contact).dot(contact.normal)));
 }
 
 // Moves overlapping cloth apart without changing its velocity.
@@ -323,8 +308,7 @@ void SoftContacts::separate(Contact& contact, float margin) {
 void SoftContacts::allowOverlap() {
     for (Contact& contact : contacts_) {
         contact.gap += std::max(0.0f, depthOf(contact) - contact.pressed);
-        contact.anchor.setZero();
-        for (std::size_t i = 0; i < 4; ++i) contact.anchor += vectorOf(*contact.moved[i]) * btScalar(contact.weights[i]);
+        contact.held = apartOf(contact);
     }
 }
 
@@ -359,11 +343,6 @@ std::size_t SoftContacts::guestOf(btSoftBody::Node& node, const btSoftBody& owne
 }
 
 void SoftContacts::advance() {
-    for (Contact& contact : contacts_) {
-        const float now = depthOf(contact);
-        if (!isFirstStep_) contact.rate = now - contact.was;
-        contact.was = now;
-    }
     for (Guest& guest : guests_) {
         // The node continues with the velocity that it got from impulses.
         const btVector3 step = isFirstStep_ ? guest.own * fraction_ : vectorOf(guest.moved) - guest.before;
@@ -373,47 +352,56 @@ void SoftContacts::advance() {
     isFirstStep_ = false;
 }
 
-btVector3 SoftContacts::step(const Contact& contact, std::size_t corner) const {
-    if (contact.sheets[corner]) return contact.sheets[corner]->step(contact.nodes[corner]);
-    return vectorOf(*contact.moved[corner]) - guests_[contact.nodes[corner]].before;
+void SoftContacts::solve() {
+    for (Contact& contact : contacts_) contact.push = contact.maxDrag = 0;
+    constexpr int sweeps = 3;
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (Contact& contact : contacts_) pushApart(contact);
+    for (Contact& contact : contacts_) rub(contact);
 }
 
-void SoftContacts::solve() {
-    static const float K = getenv("K") ? float(atof(getenv("K"))) : 1.0f;
-    static const float slackF = getenv("SL") ? float(atof(getenv("SL"))) : 0.05f;
-    for (Contact& contact : contacts_) {
-        if (!(contact.response > 0)) continue;
-        auto depth = btScalar(depthOf(contact));
-        contact.adheres =
-            adhesionHolds(contact.adhesion, contact.adheres || depth > 0, -depth, contact.reach);
-        contact.push = contact.drag = 0;
-        if (!((depth > 0 || contact.adheres) && std::abs(depth) < std::numeric_limits<btScalar>::max()))
-            continue;  // not for values that are not finite either
-        if (depth > 0) depth = std::max(depth * K, depth - slackF * pairs_[contact.pair].margin);
-        if (depth == 0 && !contact.adheres) continue;
-        contact.touched = true;
-        const btScalar adhesion = contact.adheres ? adhesionDisplacement(contact) : btScalar(0);
-        const ContactLaw law = {btScalar(contact.friction), adhesion};
-        const btScalar closing = law.push(depth);
-        contact.push = float(closing);
-        contact.drag = float(law.maxFriction(closing));
-        push(contact, contact.normal * closing);
+// In each sweep the push of the small step is corrected as a whole: a contact that a later one has opened takes
+// its push back. Otherwise the first of several contacts that could carry a node would carry it alone, and
+// throw it.
+void SoftContacts::pushApart(Contact& contact) {
+    const auto depth = btScalar(depthOf(contact));
+    if (!(contact.response > 0 && std::abs(depth) < std::numeric_limits<btScalar>::max())) return;
+    contact.adheres = adhesionHolds(contact.adhesion, contact.adheres || depth > 0, -depth, contact.reach);
+    if (!(depth > 0 || contact.adheres || contact.push > 0)) return;
+    // Contacts give a little, so that several that carry the same node share its load.
+    constexpr auto stiffness = btScalar(0.75), softPart = btScalar(0.2);
+    const btScalar margin = pairs_[contact.pair].margin, needed = depth + btScalar(contact.push);
+    const btScalar whole = needed > 0 ? std::max(needed * stiffness, needed - softPart * margin) : needed;
+    const ContactLaw law = {btScalar(contact.friction),
+                            contact.adheres ? adhesionDisplacement(contact) : btScalar(0)};
+    const btScalar closing = law.push(whole), before = btScalar(contact.push);
+    contact.push = float(closing);
+    contact.maxDrag = float(law.maxFriction(closing));
+    contact.touched = contact.touched || closing > 0 || contact.adheres;
+    push(contact, contact.normal * (closing - before));
+}
+
+// Friction holds a face at the place where it touched the node, not only its velocity: one pass leaves a part of
+// the load of each small step, with which layers would creep for ever.
+void SoftContacts::rub(Contact& contact) {
+    const btVector3 apart = apartOf(contact);
+    if (!(contact.maxDrag > 0)) {
+        contact.held = apart;
+        return;
     }
-    // Friction afterwards: within the loop above nodes slip that later contacts stop.
-    for (Contact& contact : contacts_) {
-        btVector3 moved(0, 0, 0);
-        for (std::size_t i = 0; i < 4; ++i) moved += vectorOf(*contact.moved[i]) * btScalar(contact.weights[i]);
-        if (!(contact.drag > 0)) {
-            contact.anchor = moved;
-            continue;
-        }
-        const btVector3 slip = alongSurface(moved - contact.anchor, contact.normal);
-        const btScalar length = slip.length();
-        if (!(length > 0)) continue;
-        const btVector3 stopped = drag(slip, length, length, btScalar(contact.drag));
-        contact.anchor += slip - stopped;
-        push(contact, -stopped);
-    }
+    const btVector3 slip = alongSurface(apart - contact.held, contact.normal);
+    const btScalar length = slip.length();
+    if (!(length > 0 && length < std::numeric_limits<btScalar>::max())) return;
+    const btVector3 stopped = drag(slip, length, length, btScalar(contact.maxDrag));
+    contact.held += slip - stopped;
+    push(contact, -stopped);
+}
+
+// How far node and face have moved apart since the start of the substep, m.
+btVector3 SoftContacts::apartOf(const Contact& contact) {
+    btVector3 apart(0, 0, 0);
+    for (std::size_t i = 0; i < 4; ++i) apart += vectorOf(*contact.moved[i]) * btScalar(contact.weights[i]);
+    return apart;
 }
 
 // Moves node and face apart.
@@ -439,8 +427,6 @@ void SoftContacts::finish(const std::vector<Sheet>& sheets) {
         if (contact.touched || depth > 0) {
             btSoftBody::SContact& touched = found_[contact.found].contact;
             touched.m_margin = pair.margin - (depth > 0 ? btScalar(depth) : btScalar(0));
-            const double h = double(substep_ * fraction_);
-            if (contact.response > 0) touched.m_cfm[1] = btScalar(contact.push / (contact.response * h * h));
             pair.owner->m_scontacts.push_back(touched);
         }
         const Sheet* const sheet = contact.adheres ? bodyOf(*pair.owner).sheet : nullptr;

@@ -71,7 +71,6 @@ class SoftContacts {
     struct Found {
         btSoftBody::SContact contact;
         btScalar pressed;  // depth that the forces of the last substep have left, m
-        btScalar push;     // N
     };
     // The contacts of the nodes of one body with the faces of another.
     struct Pair {
@@ -79,14 +78,13 @@ class SoftContacts {
         btSoftBody* other;  // of the faces
         std::size_t first;  // index of the first of them in found_
         std::size_t end;
-        btScalar margin;    // of both, m
+        btScalar margin;  // of both, m
     };
     struct Remembered {
         const btSoftBody::Node* node;
         const btSoftBody::Face* face;
         btVector3 normal;
         btScalar kept;  // distance of node and face, m
-        btScalar push;  // N
     };
     struct Body {
         std::vector<Remembered> remembered;  // in the order of the nodes
@@ -102,13 +100,13 @@ class SoftContacts {
         btVector3 normal;  // from the face to the node
         float gap;         // at the start of the substep, m
         float pressed;     // depth that may push, m
-        float push;        // in the last small step, as the distance that it moves node and face apart, m
+        btVector3 held;    // where friction holds node and face: their displacement apart, m
+        float push;        // in the current small step, as the distance that it moves node and face apart, m
+        float maxDrag;     // of friction, in the same unit
         float friction;    // friction coefficient
         float response;    // to an impulse along the normal, 1/kg
         float adhesion;    // adhesive force, N
         float reach;       // of adhesion, m
-        float was, rate, drag;
-        btVector3 anchor;
         bool adheres;
         bool touched;
     };
@@ -127,6 +125,9 @@ class SoftContacts {
     // @return position of the node at the start of the substep
     btVector3 place(Contact& contact, std::size_t corner, btSoftBody::Node& node, const btSoftBody& owner);
     void separate(Contact& contact, float margin);
+    void pushApart(Contact& contact);
+    static void rub(Contact& contact);
+    static btVector3 apartOf(const Contact& contact);
     static void push(Contact& contact, const btVector3& apart);
     static float depthOf(const Contact& contact);
     // Lets wet cloth adhere only by the nearest contact of each node; otherwise adhesion would count several
@@ -136,7 +137,6 @@ class SoftContacts {
                                const Friction* ofFace);
     static btScalar adhesionDisplacement(const Contact& contact);
     std::size_t guestOf(btSoftBody::Node& node, const btSoftBody& owner);
-    btVector3 step(const Contact& contact, std::size_t corner) const;
 
     std::vector<Body> bodies_;  // by their index in the world
     std::vector<Near> near_;
@@ -144,10 +144,10 @@ class SoftContacts {
     std::vector<Found> found_;
     std::vector<Pair> pairs_;
     std::vector<Contact> contacts_;  // in the order of the pairs
-    std::deque<Guest> guests_;  // addresses stay valid
-    std::vector<int> nearest_;  // nearest contact of each node of a sheet; -1 for none
-    btScalar substep_ = 0;      // s
-    btScalar fraction_ = 0;     // length of a small step over that of the substep
+    std::deque<Guest> guests_;       // addresses stay valid
+    std::vector<int> nearest_;       // nearest contact of each node of a sheet; -1 for none
+    btScalar substep_ = 0;           // s
+    btScalar fraction_ = 0;          // length of a small step over that of the substep
     bool isFirstStep_ = true;
 };
 
