@@ -174,6 +174,8 @@ void SmallStepSolver::predictMotion(btScalar substep) {
 
 void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics, btScalar substep) {
     if (!mechanics.moving) mechanics.moving = std::make_shared<MovingSheet>(mechanics);
+    // Made when the sheet first comes near another soft body; see processCollision.
+    if (!mechanics.movedBySmallSteps) dropFaceTree(body);
     mechanics.movedBySmallSteps = true;
     MovingSheet& sheet = *mechanics.moving;
     sheet.nodes = &body.m_nodes[0];
