@@ -122,7 +122,7 @@ TEST_P(ClothHeap, ComesToRestWithoutCrossing) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, ClothHeap,
                          testing::Values(Case{"two", 2, 9, 0, 0, false}, Case{"three", 3, 17, 0, 0, false},
-                                         Case{"fine", 2, 25, 0, 0, false}, Case{"mixed", 4, 9, 0, 0.01, true},
+                                         Case{"fine", 2, 25, 0, 0, false}, Case{"mixed", 3, 17, 30, 0, true},
                                          Case{"turnedBy45", 2, 17, 45, 0, false},
                                          Case{"onABall", 2, 9, 0, 0, false, Base::ball},
                                          Case{"overAnEdge", 2, 17, 0, 0, false, Base::edge},
