@@ -12,25 +12,21 @@ if(NOT TARGET drench::bullet)
 endif()
 set_target_properties(drench::bullet PROPERTIES IMPORTED_GLOBAL TRUE)
 
-# The checksum of snapshots; only its header.
+# The checksum of snapshots, and pictures: masks for soaking. As those for files below, these are only headers, which are
+# compiled into the library under names of its own: whoever links with it need not have them, and may have others.
 find_path(DRENCH_XXHASH_INCLUDE xxhash.h REQUIRED)
-
-# Reads pictures: masks for soaking.
-find_package(PkgConfig REQUIRED)
-pkg_check_modules(DRENCH_STB REQUIRED IMPORTED_TARGET GLOBAL stb)
+find_path(DRENCH_STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
 
 # Read and write the files of drench::files.
 if(DRENCH_BUILD_FILES)
   find_package(nlohmann_json REQUIRED)
-  pkg_check_modules(DRENCH_TINYGLTF IMPORTED_TARGET GLOBAL tinygltf)
-  pkg_check_modules(DRENCH_TINYOBJLOADER IMPORTED_TARGET GLOBAL tinyobjloader_double)
-  if(NOT DRENCH_TINYGLTF_FOUND OR NOT DRENCH_TINYOBJLOADER_FOUND)
-    message(FATAL_ERROR "Drench: drench::files needs tinygltf and tinyobjloader (of doubles), which pkg-config does not "
-                        "find. Install libtinygltf-dev and libtinyobjloader-dev, or set -DDRENCH_BUILD_FILES=OFF and "
+  find_path(DRENCH_TINYGLTF_INCLUDE tiny_gltf.h)
+  find_path(DRENCH_TINYOBJLOADER_INCLUDE tiny_obj_loader.h)
+  if(NOT DRENCH_TINYGLTF_INCLUDE OR NOT DRENCH_TINYOBJLOADER_INCLUDE)
+    message(FATAL_ERROR "Drench: drench::files needs tiny_gltf.h and tiny_obj_loader.h, which are not found. Install "
+                        "libtinygltf-dev and libtinyobjloader-dev, or set -DDRENCH_BUILD_FILES=OFF and "
                         "-DDRENCH_BUILD_DEMOS=OFF.")
   endif()
-  # Its pkg-config file leaves out the definition that the header wants of whoever links the library of doubles.
-  target_compile_definitions(PkgConfig::DRENCH_TINYOBJLOADER INTERFACE TINYOBJLOADER_USE_DOUBLE)
 elseif(DRENCH_BUILD_DEMOS)
   message(FATAL_ERROR "Drench: drench-demo needs drench::files; leave DRENCH_BUILD_FILES on, or set "
                       "-DDRENCH_BUILD_DEMOS=OFF as well.")

@@ -27,8 +27,8 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 enum class OnTrouble {
     /// It repairs or ignores the faulty value, continues, and reports it in `WetCloth::troubles`. Default.
     carryOn,
-    /// stepSimulation or `WetCloth::preSubstep` throws, with the sheet unchanged, until the application has removed the
-    /// cause. For development and tests.
+    /// stepSimulation or `WetCloth::preSubstep` throws std::runtime_error, with the sheet unchanged, until the
+    /// application has removed the cause; for `Trouble::pieces` the constructor does. For development and tests.
     throwError
 };
 
@@ -46,7 +46,8 @@ enum class Trouble {
     /// The small steps of a substep produced a position that is not finite or more than 1e7 m from the origin: the
     /// sheet stayed where it was, with velocity 0.
     motion,
-    /// The gravity of the world info was not finite or above 1e4 m/s2: it was reset to its last valid value.
+    /// The gravity of the world info was not finite or above 1e4 m/s2: it was reset to its last valid value. Or that
+    /// of the world or of the body's btDeformableGravityForce was: the last valid one was used for the water.
     gravity,
     /// A setting in the body's m_cfg, or its rest length scale, was out of range: it was set to Bullet's default.
     bodySetting,
@@ -57,7 +58,17 @@ enum class Trouble {
     source,
     /// The body's nodes, links or faces changed to something that is not a valid cloth: Drench no longer simulates the
     /// body, and its water is frozen.
-    topology
+    topology,
+    /// The places where Bullet keeps gravity differ by more than 5 %: `SheetSettings::ownGravity` says which was used.
+    gravityPlaces,
+    /// Size or gravity look like another unit than metres, kilograms and seconds; found at the first substep. Nothing
+    /// was changed. See `SheetSettings::unusualScale`.
+    units,
+    /// The sheet was in several pieces, which neither faces nor links join, when the WetCloth was made, and
+    /// `SheetSettings::mayBeInPieces` was not set: it will fall apart. Mostly the mesh has split vertices; see `weld`.
+    /// Nothing is changed. Reported once, by the constructor; with OnTrouble::throwError the constructor throws.
+    /// Pieces that are cut later are not reported.
+    pieces
 };
 
 /// All occurrences of one kind of problem since the WetCloth was made or `WetCloth::clearTroubles` was called.

@@ -32,7 +32,7 @@ namespace drench {
 class DRENCH_API Pool final : public Source {
   public:
     /// Height of the surface, m; -1e9 to 1e9: the scalar product of a point on the surface and the upward unit vector,
-    /// which is opposite to the gravity of the body's world info.
+    /// which is opposite to the sheet's gravity.
     double level;
     /// Lower corner of the rectangle that the pool fills, m; -1e9 to 1e9; default unbounded. Its coordinates are along
     /// the two horizontal world axes: x and z if y is up, x and y if z is up, y and z if x is up. With tilted gravity:

@@ -14,7 +14,13 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 /// Macklin et al. call a substep; "substep" always means one of Bullet's.)
 struct SmallStepSettings {
     /// Number of small steps per substep; 1 to 1000, or 0 (default): chosen automatically from `stretchTolerance` and
-    /// the bending rigidity, at least 4. All sheets of a world use the largest number that any of them needs.
+    /// the bending rigidity, at least 4, and so that no small step is longer than 4.2 ms of the sheet's own time. All
+    /// sheets of a world use the largest number that any of them needs.
+    ///
+    /// Small steps may differ in length, because substeps do, or the number, or the timescale: a sheet has in all of
+    /// them the stiffness that it has in the longest of the last 4 to 8 s, so it rests and hangs as in equal steps.
+    /// It becomes softer at once where a longer step needs it, and stiffer over seconds. With a `count` that you set
+    /// this is noticeable after a single long substep; with 0 all small steps are about equally long.
     int count = 0;
 
     /// Mean excess strain allowed in a hanging sheet, dimensionless; 1e-5 to 1; default 0.01.
@@ -27,7 +33,8 @@ struct SmallStepSettings {
     ///
     /// The second limit is bending: the rigidity B is reached up to about h = 0.17 l^2 sqrt(rho / B), or 0.1 l^2
     /// sqrt(rho / B) with bending friction, which is stiffer until it slides. If `count` is set below what this needs,
-    /// fine cloth bends too easily.
+    /// fine cloth bends too easily. l stands for what triangles on nine tenths of the area need: a few slivers do not
+    /// determine the number of steps, and bend more easily instead.
     double stretchTolerance = 0.01;
 
     /// Whether each node has a tether to the nearest pin (Kim et al. 2012, "Long range attachments"), which limits the
@@ -49,8 +56,8 @@ struct SmallStepSettings {
 /// solved by Bullet, bit-identically.
 ///
 /// Body settings that are used:
-/// - gravity of the world info, forces in m_f, pins, anchors with their influence, pressure and volume (kPR, kVC),
-///   timescale. A pin that is moved through m_x moves at constant velocity during the substep;
+/// - gravity (see `SheetSettings::ownGravity`), forces in m_f, pins, anchors with their influence, pressure and volume
+///   (kPR, kVC), timescale. A pin that is moved through m_x moves at constant velocity during the substep;
 /// - m_cfg.kDP as a rate, 1/s: the velocity is multiplied by exp(-kDP t) (Bullet: by 1 - kDP per substep);
 /// - kDF times a solid's friction as the friction coefficient of dry cloth, unless WetCloth::setSurface was called for
 ///   the solid; between soft bodies the larger kDF. Water changes both, and adds adhesion;
@@ -60,9 +67,18 @@ struct SmallStepSettings {
 /// Body settings that are ignored: iterations, kVCF, hardness of contacts and anchors (kCHR, kKHR, kSHR, kAHR),
 /// material stiffness, and links for bending, because triangles bend.
 ///
-/// Dynamic solids react to the cloth: at the end of the substep its impulses change their velocity, and their position
-/// unless other solids touch them. Links of a btMultiBody are treated as fixed and do not react. After the step
-/// m_rcontacts and m_scontacts contain its contacts. If a substep produces a position that is not finite, the sheet
+/// Solids of every kind push and carry cloth along the path on which they move within a substep: dynamic and kinematic
+/// rigid bodies, links of a btMultiBody, and static bodies and ghosts that the application moves (ghosts only if they have
+/// contact response). A frame may have several substeps. Rigid bodies and links react to the cloth: at the end of the
+/// substep its impulses change their velocity, and their position unless other solids touch them. Shapes may be any but
+/// planes and btSdfCollisionShape; triangles are taken from meshes and height fields as these are at the moment.
+///
+/// A solid that the application moves by more than 0.5 m from one frame to the next and at more than 30 m/s, or turns by
+/// more than 120 degrees, has jumped: it is where it is now and pushes nothing on its way, and a sheet that is anchored to
+/// it is carried along. The same holds for a kinematic body whose interpolation transform the application has set, too, and
+/// for all solids around a sheet whose nodes it has all moved. `WetCloth::jumped` says so for anything else.
+///
+/// After the step m_rcontacts and m_scontacts contain its contacts. If a substep produces a position that is not finite, the sheet
 /// stays where it was, with velocity 0; see SheetHealth.
 class DRENCH_API SmallStepSolver final : public btDefaultSoftBodySolver {
   public:

@@ -68,6 +68,21 @@ struct SheetSettings {
 
     /// What to do about problems while the world runs; default: repair and report them.
     OnTrouble onTrouble = OnTrouble::carryOn;
+
+    /// Whether the sheet is meant to have another gravity than the world. A sheet and its water have the gravity with
+    /// which Bullet moves the body: in the deformable world that of its btDeformableGravityForce, times
+    /// setGravityFactor; in other worlds that of the body's world info. If false, the default, that gravity is compared
+    /// with world.setGravity, and a difference of more than 5 % is `Trouble::gravityPlaces`, unless it is zero. If the
+    /// world info still has Bullet's (0, -10, 0), or there is no such force, the world's is used instead (without a
+    /// force the body does not fall, but its water does). If true, the body's gravity is used in any case.
+    bool ownGravity = false;
+
+    /// Whether a size or gravity that looks like another unit is meant: then it is no `Trouble::units`. Default false.
+    bool unusualScale = false;
+
+    /// Whether the sheet may be in several pieces from the start, such as strips of one body. Default: false; several
+    /// pieces are then reported as `Trouble::pieces`.
+    bool mayBeInPieces = false;
 };
 
 /// Adds water to one btSoftBody: before each of Bullet's substeps sources add their water, the water moves (see
@@ -93,6 +108,7 @@ class DRENCH_API WetCloth {
     ///     - a margin, or a voxel size of the world info, larger than the mean link;
     ///     - a plane shape in the world that the body's collision filters let it collide with;
     ///     - material coordinates that do not fit the body
+    /// @throws std::runtime_error for a sheet in several pieces with OnTrouble::throwError; see `Trouble::pieces`
     WetCloth(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
              const SheetSettings& settings = {});
     /// Detaches, and restores the body.
@@ -239,6 +255,14 @@ class DRENCH_API WetCloth {
 
     /// Computing times of the steps so far.
     StepTimes times() const;
+
+    /// Says that the application has put the sheet, with its anchors and the solids around it, to another place since the
+    /// last step, for instance at a respawn or a shift of the origin. What has moved in between then counts as a jump, not
+    /// as motion: in the next substep the SmallStepSolver takes pins, kinematic bodies, static bodies and ghosts where they
+    /// are now, at rest. Velocities of nodes and dynamic bodies are kept. Calls are not needed where all nodes were moved,
+    /// as btSoftBody::transform does, nor where a solid moves as far and fast as described in `SmallStepSolver`.
+    /// Does nothing with other solvers.
+    void jumped();
 
     /// Prepares the substep that is about to begin: sources, water, node masses, stiffness and forces. Only for
     /// `Stepping::byApplication`; otherwise the world calls it, and exceptions leave stepSimulation: Bullet then skips

@@ -130,6 +130,7 @@ std::vector<PlateElement> plateElements(const ClothMesh& mesh) {
         PlateElement element{};
         element.nodes = {corners[0], corners[1], corners[2], -1, -1, -1};
         element.area = triangleArea(mesh.coordinates[triangle]);
+        element.triangle = static_cast<int>(triangle);
         const Jumps jumps = jumpsOf(mesh, edges, triangle, element);
         if (jumps.edges == 0) continue;
         const Eigen::Matrix<double, 3, 6> weights = compromise(jumps) * jumps.ofNodes;

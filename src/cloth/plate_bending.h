@@ -20,7 +20,8 @@ struct PlateElement {
     // 1/m2. Curvature along u, along v, and sqrt(2) times the twist, in the triangle's own material
     // coordinates, so that the sum of the three squares is the same in any axes. 0 where there is no node.
     std::array<std::array<double, 6>, 3> weights;
-    double area;  // m2, at rest
+    double area;   // m2, at rest
+    int triangle;  // index
 };
 
 // The plates of a sheet, one for each triangle that has a neighbour.

@@ -1,13 +1,17 @@
 #include "drench/triangle_mesh.h"
-#include "checks/checks.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
-#include <set>
+#include <map>
 #include <stdexcept>
 
+#include "checks/checks.h"
+#include "cloth/coincidence.h"
 #include "cloth/mesh_edges.h"
+#include "cloth/pieces.h"
+#include "cloth/second_layer.h"
+#include "cloth/welding.h"
 #include "drench/cloth_mesh.h"
 
 namespace drench {
@@ -30,28 +34,35 @@ void checkVertices(const TriangleMesh& mesh) {
     }
 }
 
-void checkTriangle(const TriangleMesh& mesh, std::size_t t) {
-    const auto& nodes = mesh.triangles[t];
-    for (const int node : nodes)
-        if (node < 0 || static_cast<std::size_t>(node) >= mesh.vertices.size())
-            refuse("mesh: triangle ", t, " has the node ", node, "; there are ", mesh.vertices.size(),
-                   ", counted from 0");
-    if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0])
-        refuse("mesh: triangle ", t, " joins a node with itself; remove it");
-    const auto corners = cornersOf(mesh, t);
-    if (!((corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() > 0))
-        refuse("mesh: triangle ", t, " has no area; remove it, or set its nodes apart");
+template <typename Error = std::invalid_argument>
+void checkNodeIndices(const TriangleMesh& mesh) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (const int node : mesh.triangles[t])
+            if (node < 0 || static_cast<std::size_t>(node) >= mesh.vertices.size())
+                refuse<Error>("mesh: triangle ", t, " has the node ", node, "; there are ",
+                              mesh.vertices.size(), ", counted from 0");
 }
 
-void checkDoubles(const TriangleMesh& mesh) {
-    std::set<std::array<int, 3>> known;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        std::array<int, 3> nodes = mesh.triangles[t];
-        std::sort(nodes.begin(), nodes.end());
-        if (!known.insert(nodes).second)
-            refuse("mesh: triangle ", t, " joins the nodes ", nodes[0], ", ", nodes[1], " and ", nodes[2],
-                   ", as an earlier one does; cloth is two-sided already, remove the double");
+void checkTriangle(const TriangleMesh& mesh, std::size_t t) {
+    const auto& nodes = mesh.triangles[t];
+    if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0])
+        refuse("mesh: triangle ", t, " joins a node with itself; remove it, as weld does");
+    const auto corners = cornersOf(mesh, t);
+    if (!((corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() > 0))
+        refuse("mesh: triangle ", t, " has no area; remove it, as weld does, or set its nodes apart");
+}
+
+void checkSecondLayer(const TriangleMesh& mesh) {
+    for (const SecondLayer& layer : repeatedTriangles(mesh.triangles)) {
+        const auto& nodes = mesh.triangles[layer.triangle];
+        refuse("mesh: triangle ", layer.triangle, " joins the nodes ", nodes[0], ", ", nodes[1], " and ",
+               nodes[2], ", as triangle ", layer.earlier,
+               " does; cloth has two sides already, remove the second layer, as weld does");
     }
+    for (const SecondLayer& layer : repeatedQuads(mesh.triangles, mesh.vertices))
+        refuse("mesh: triangle ", layer.triangle, " is half of a quad of which triangle ", layer.earlier,
+               " is half, too, with the other diagonal; cloth has two sides already, remove the second "
+               "layer, as weld does");
 }
 
 void checkLoneNodes(const TriangleMesh& mesh) {
@@ -60,7 +71,8 @@ void checkLoneNodes(const TriangleMesh& mesh) {
         for (const int node : triangle) used[static_cast<std::size_t>(node)] = 1;
     const auto lone = std::find(used.begin(), used.end(), 0);
     if (lone != used.end())
-        refuse("mesh: vertex ", lone - used.begin(), " is in no triangle, and would have no mass; remove it");
+        refuse("mesh: vertex ", lone - used.begin(),
+               " is in no triangle, and would have no mass; remove it, as weld does");
 }
 
 void checkTexture(const TriangleMesh& mesh) {
@@ -95,10 +107,44 @@ Eigen::Matrix2d edgesOf(const std::array<Eigen::Vector2d, 3>& corners) {
 void validate(const TriangleMesh& mesh) {
     if (mesh.triangles.empty()) refuse("mesh: it has no triangles; cloth needs at least one");
     checkVertices(mesh);
+    checkNodeIndices(mesh);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) checkTriangle(mesh, t);
-    checkDoubles(mesh);
+    checkSecondLayer(mesh);
     checkLoneNodes(mesh);
     checkTexture(mesh);
+}
+
+void validate(const WeldOptions& options) {
+    checkRange("WeldOptions::edgeFraction", options.edgeFraction, "", 0, 0.4);
+    checkRange("WeldOptions::maxDistance", options.maxDistance, "m", 0, 1e6);
+}
+
+WeldedMesh weld(const TriangleMesh& mesh, const WeldOptions& options) {
+    validate(options);
+    checkVertices(mesh);
+    checkNodeIndices(mesh);
+    checkTexture(mesh);
+    WeldedMesh welded = cleaned(mesh, options.join ? coincidences(mesh, options) : std::vector<int>());
+    if (welded.mesh.triangles.empty())
+        refuse("mesh: none of its faces has an area; cloth needs at least one that has");
+    return welded;
+}
+
+std::vector<std::vector<int>> piecesOf(const TriangleMesh& mesh) {
+    checkNodeIndices<std::out_of_range>(mesh);
+    Pieces pieces(mesh.vertices.size());
+    for (const std::array<int, 3>& triangle : mesh.triangles) {
+        pieces.join(triangle[0], triangle[1]);
+        pieces.join(triangle[1], triangle[2]);
+    }
+    std::vector<std::vector<int>> triangles;
+    std::map<int, std::size_t> numbers;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto [piece, isNew] = numbers.emplace(pieces.of(mesh.triangles[t][0]), triangles.size());
+        if (isNew) triangles.emplace_back();
+        triangles[piece->second].push_back(static_cast<int>(t));
+    }
+    return triangles;
 }
 
 std::vector<std::array<int, 2>> edgesOf(const TriangleMesh& mesh) {

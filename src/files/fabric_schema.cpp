@@ -1,7 +1,6 @@
-#include <nlohmann/json.hpp>
-
 #include "drench/files/fabric_file.h"
 #include "files/fabric_fields.h"
+#include "files/json.h"
 #include "files/json_text.h"
 
 namespace drench {

@@ -1,3 +1,12 @@
+#include "files/json.h"
+
+// Compiled into this library under names of its own, because an application may have another build of tinygltf, and
+// without reading and writing of pictures, which needs stb.
+#define tinygltf drench_tinygltf
+#define dlib drench_dlib
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_IMPLEMENTATION
 #include <tiny_gltf.h>
 
 #include <algorithm>

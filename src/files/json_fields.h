@@ -3,13 +3,13 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "checks/text.h"
+#include "files/json.h"
 #include "files/json_text.h"
 
 namespace drench::files {

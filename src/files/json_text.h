@@ -1,10 +1,10 @@
 // JSON text: parsed with limits, written in a readable layout.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 #include <string_view>
+
+#include "files/json.h"
 
 namespace drench::files {
 

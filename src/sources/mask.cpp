@@ -1,3 +1,7 @@
+// Compiled into this file with no names outside it: an application may have another build of stb_image, with fewer
+// formats.
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>
 
 #include <algorithm>

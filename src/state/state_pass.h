@@ -27,6 +27,8 @@ class StatePass {
 
     bool saves() const { return kind_ == Kind::save; }
     bool restores() const { return kind_ == Kind::restore; }
+    // Whether there is another saved value. @pre a pass that does not save
+    bool hasMore() const { return reader_->left() > 0; }
 
     template <typename Part>
     void part(Part& part) {

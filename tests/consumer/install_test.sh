@@ -24,3 +24,15 @@ find "$prefix" -name 'libdrench*.so' | while read -r library; do
       }
     done
 done
+
+# An application may have its own builds of the header-only libraries that are compiled into these: neither kind of library
+# defines a name of theirs that others see.
+find "$prefix" -name 'libdrench*.so' -o -name 'libdrench*.a' | while read -r library; do
+  visible=--extern-only
+  [ "${library##*.}" = a ] || visible=--dynamic
+  if nm -C --defined-only $visible "$library" |
+    grep -E '(^|[^_[:alnum:]])((tinyobj|tinygltf|nlohmann|dlib)::|stbi_|XXH)'; then
+    echo "$library defines a name of another library"
+    exit 1
+  fi
+done

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <random>
 #include <set>
@@ -110,6 +111,104 @@ TEST(MeshFile, LeavesOutWhatIsNoClothAndSaysSo) {
     EXPECT_EQ(file.duplicateTriangles, (std::vector<std::array<int, 3>>{{3, 1, 2}, {1, 3, 2}}));
     EXPECT_EQ(file.nonManifoldEdges, 1);
     EXPECT_EQ(file.unreferencedVertices, 1);
+    EXPECT_EQ(file.pieces, 1);
+    EXPECT_EQ(file.coincidentVertices, 0);
+    EXPECT_EQ(file.nodeOfVertex, (std::vector<int>{0, 1, 2, 3, -1, 4}));
+}
+
+// A square of cells as exporters write it: each face has vertices of its own, at six decimals, with normals.
+std::string flatShaded(int cells, double side, bool hasBack) {
+    std::string text;
+    int vertices = 0;
+    const auto face = [&](int i, int j, bool isBack) {
+        char line[100];
+        std::string corners;
+        for (const auto& [di, dj] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+            std::snprintf(line, sizeof line, "v %.6f %.6f %.6f\n", side * (i + di) / cells, 0.5,
+                          side * (j + dj) / cells);
+            text += line;
+            const std::string corner = " " + std::to_string(++vertices) + "//" + (isBack ? "2" : "1");
+            corners = isBack ? corner + corners : corners + corner;
+        }
+        text += "f" + corners + "\n";
+    };
+    text += "vn 0 1 0\nvn 0 -1 0\n";
+    for (const bool isBack : {false, true})
+        for (int j = 0; j < cells; ++j)
+            for (int i = 0; i < cells; ++i)
+                if (!isBack || hasBack) face(i, j, isBack);
+    return text;
+}
+
+TEST(MeshFile, JoinsVerticesThatWereSplit) {
+    for (const double side : {0.01, 1.0}) {
+        const MeshFile file = meshFromText(flatShaded(10, side, false));
+        EXPECT_EQ(file.pieces, 1);
+        EXPECT_EQ(file.mesh.vertices.size(), 11u * 11);
+        EXPECT_EQ(file.mesh.triangles.size(), 200u);
+        EXPECT_EQ(file.coincidentVertices, 400 - 121);
+        EXPECT_EQ(file.unreferencedVertices, 0);
+        EXPECT_EQ(file.nonManifoldEdges, 0);
+        EXPECT_NEAR(areaOf(file.mesh), side * side, 1e-3 * side * side);
+        EXPECT_EQ(file.nodeOfVertex[4], file.nodeOfVertex[1]);  // the second cell begins where the first ends
+        EXPECT_EQ(file.vertexInFile[std::size_t(file.nodeOfVertex[4])], 2);
+    }
+    MeshReadOptions apart;
+    apart.weld.join = false;
+    const MeshFile split = meshFromText(flatShaded(10, 1, false), apart);
+    EXPECT_EQ(split.pieces, 100);
+    EXPECT_EQ(split.coincidentVertices, 0);
+    EXPECT_EQ(piecesOf(split.mesh).size(), 100u);
+}
+
+TEST(MeshFile, OfADoubleSidedMeshOneLayerIsLeft) {
+    const MeshFile file = meshFromText(flatShaded(10, 1, true));
+    EXPECT_NEAR(areaOf(file.mesh), 1, 1e-12);
+    EXPECT_EQ(file.duplicateTriangles.size(), 200u);
+    EXPECT_EQ(file.duplicateTriangles[0][0] > 400, true);  // the back is left out
+    EXPECT_EQ(file.nonManifoldEdges, 0);
+    // With the vertices of the front, too, whether they are joined or not.
+    for (const bool join : {true, false}) {
+        MeshReadOptions reading;
+        reading.weld.join = join;
+        const MeshFile shared = meshFromText(square + "f 1 2 3 4\nf 4 3 2 1\nf 2 1 4 3\n", reading);
+        EXPECT_NEAR(areaOf(shared.mesh), 1, 1e-12);
+        EXPECT_EQ(shared.duplicateTriangles.size(), 4u);
+    }
+}
+
+// The tolerance is in metres, whatever the unit of the file is, and its range is checked before the file is read.
+TEST(MeshFile, JoinsInMetres) {
+    const std::string text =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1.001 0 0\nv 1.001 1 0\nv 0.001 1 0\nf 1 2 3\nf 4 5 6\n";
+    EXPECT_EQ(meshFromText(text).pieces, 2);
+    MeshReadOptions centimetres;
+    centimetres.scale = 0.01;
+    EXPECT_EQ(meshFromText(text, centimetres).pieces, 1);
+    EXPECT_EQ(meshFromText(text, centimetres).coincidentVertices, 2);
+    MeshReadOptions off;
+    off.weld.edgeFraction = -1;
+    expectRefused(text, "WeldOptions::edgeFraction is -1", off);
+    EXPECT_THROW(readMesh("there_is_none.obj", off), std::invalid_argument);
+}
+
+TEST(MeshFile, SeamsKeepTheirTexture) {
+    MeshReadOptions reading;
+    reading.texture = true;
+    const MeshFile file =
+        meshFromText(square +
+                         "v 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                         "f 1/1 2/2 3/3 4/4\nf 5/1 6/2 7/3 8/4\n",
+                     reading);
+    EXPECT_EQ(file.coincidentVertices, 2);
+    ASSERT_EQ(file.mesh.textureCoordinates.size(), 4u);
+    for (std::size_t t = 0; t < 4; ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Eigen::Vector3d& at = file.mesh.vertices[std::size_t(file.mesh.triangles[t][k])];
+            EXPECT_EQ(file.mesh.textureCoordinates[t][k].x(), at.x() - (t < 2 ? 0 : 1));
+            EXPECT_EQ(file.mesh.textureCoordinates[t][k].y(), at.y());
+        }
+    EXPECT_EQ(texturedCoordinates(file.mesh).size(), 4u);
 }
 
 TEST(MeshFile, NamesTheLineThatIsOff) {
@@ -280,7 +379,9 @@ TEST(MeshSheet, BranchesAndPiecesDoNotCrash) {
     btSoftBody& body = world.add(makeSheet(world.info(), Fabric(), file.mesh));
     SheetSettings settings;
     settings.faceCoordinates = wrappedCoordinates(body, btVector3(0, 1, 0));
+    EXPECT_EQ(file.pieces, 2);
     WetCloth& cloth = world.cover(body, Fabric(), settings);
+    EXPECT_EQ(cloth.troubles().at(0).what, Trouble::pieces);
     cloth.soakFilm(0.3);
     world.run(0.5);
     EXPECT_TRUE(cloth.health().finite);

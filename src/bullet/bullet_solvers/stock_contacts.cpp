@@ -84,8 +84,13 @@ void StockContacts::rewrite(btSoftBody::RContact& contact, btSoftBody& body, con
     const auto index = static_cast<std::size_t>(n);
     const double adhesion = sheetFriction.adhesion(met.surface, index);
     if (adhesion > 0) adheresTo_[index] = &object;
-    add({n, solids_.indexOf(object), surface, std::max(btScalar(0), -approach), true, adhesion,
+    add({n, indexOf(object, body), surface, std::max(btScalar(0), -approach), true, adhesion,
          sheetFriction.friction(met.surface, index)});
+}
+
+std::size_t StockContacts::indexOf(const btCollisionObject& object, const btSoftBody& body) {
+    // Bullet passes solids as const, although they may be pushed.
+    return solids_.add(const_cast<btCollisionObject&>(object), pathByVelocities(object, body.m_sst.sdt));
 }
 
 // Parts of one surface that face a node, such as the boxes or triangles of a floor, act as a single contact.
@@ -112,7 +117,7 @@ void StockContacts::findAdhering(btSoftBody& body, const Friction& sheetFriction
         if (!(adhesion > 0)) continue;
         const SurfacePoint surface = nearestSurfaceOf(*met.object, node.m_x, body.m_worldInfo->m_sparsesdf);
         if (!std::isfinite(surface.distance)) continue;
-        held_.push_back({static_cast<int>(n), solids_.indexOf(*met.object), surface, 0, false, adhesion,
+        held_.push_back({static_cast<int>(n), indexOf(*met.object, body), surface, 0, false, adhesion,
                          sheetFriction.friction(met.surface, n)});
     }
 }
@@ -122,13 +127,14 @@ void StockContacts::hold(btSoftBody& body, const Held& held, btScalar reach) {
     Solid& solid = solids_[held.solid];
     const btVector3& normal = held.surface.normal;
     const btScalar substep = body.m_sst.sdt;
-    const btVector3 arm = node.m_x - normal * held.surface.distance - solid.end().getOrigin();
+    const btVector3 arm =
+        solid.unturned(node.m_x - normal * held.surface.distance - solid.path().end.getOrigin());
     const btScalar response = node.m_im + solid.response(arm, normal);
     const ContactLaw law = {btScalar(held.friction), btScalar(held.adhesion) * substep * substep};
     btScalar push = law.push(held.approach / response);
     if (!held.isInContact) {
         const btScalar margin = body.getCollisionShape()->getMargin(),
-                       gap = held.surface.distance - margin - normal.dot(solid.displacement(arm));
+                       gap = held.surface.distance - margin - normal.dot(solid.shiftOf(arm));
         if (!adhesionHolds(held.adhesion, true, gap, reach)) return;
         adheresTo_[static_cast<std::size_t>(held.node)] = &solid.object();
         push = law.push(-std::max(gap, btScalar(0)) / response);
@@ -150,7 +156,7 @@ void StockContacts::hold(btSoftBody& body, const Held& held, btScalar reach) {
 
 void StockContacts::stick(btSoftBody& body, const Held& held) {
     btSoftBody::Node& node = body.m_nodes[held.node];
-    const btTransform& transform = solids_[held.solid].end();
+    const btTransform& transform = solids_[held.solid].path().end;
     const auto n = static_cast<std::size_t>(held.node);
     const btCollisionObject* const object = &solids_[held.solid].object();
     if (stuckBefore_[n].object == object) {

@@ -48,6 +48,7 @@ class StockContacts {
     };
 
     void rewrite(btSoftBody::RContact& contact, btSoftBody& body, const Friction& sheetFriction);
+    std::size_t indexOf(const btCollisionObject& object, const btSoftBody& body);
     void add(const Held& held);
     void findAdhering(btSoftBody& body, const Friction& sheetFriction);
     void hold(btSoftBody& body, const Held& held, btScalar reach);

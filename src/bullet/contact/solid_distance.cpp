@@ -2,13 +2,10 @@
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
-#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace drench {
@@ -62,92 +59,62 @@ SurfacePoint ofConvex(const btConvexShape& shape, const btVector3& point, btSpar
     return found;
 }
 
-using Triangle = std::array<btVector3, 3>;
-
-// Bullet represents a triangle by six points, three on each side.
-Triangle triangleOf(const btCollisionShape& hull) {
-    const auto& points = static_cast<const btConvexHullShape&>(hull);
-    Triangle corners;
-    for (int i = 0; i < 3; ++i)
-        corners[static_cast<std::size_t>(i)] = (points.getScaledPoint(i) + points.getScaledPoint(i + 3)) / 2;
-    return corners;
-}
-
-btVector3 normalOf(const Triangle& triangle) {
-    return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
+// Nearest point of a triangle, by the region of its plane in which the point lies (Ericson 2005, "Real-time
+// collision detection", 5.1.5).
+btVector3 closestOnTriangle(const std::array<btVector3, 3>& corners, const btVector3& point) {
+    const btVector3 &a = corners[0], &b = corners[1], &c = corners[2];
+    const btVector3 ab = b - a, ac = c - a, fromA = point - a, fromB = point - b, fromC = point - c;
+    const btScalar abA = ab.dot(fromA), acA = ac.dot(fromA);
+    if (abA <= 0 && acA <= 0) return a;
+    const btScalar abB = ab.dot(fromB), acB = ac.dot(fromB);
+    if (abB >= 0 && acB <= abB) return b;
+    const btScalar weightC = abA * acB - abB * acA;
+    if (weightC <= 0 && abA >= 0 && abB <= 0) return a + ab * (abA > abB ? abA / (abA - abB) : 0);
+    const btScalar abC = ab.dot(fromC), acC = ac.dot(fromC);
+    if (acC >= 0 && abC <= acC) return c;
+    const btScalar weightB = abC * acA - abA * acC;
+    if (weightB <= 0 && acA >= 0 && acC <= 0) return a + ac * (acA > acC ? acA / (acA - acC) : 0);
+    const btScalar weightA = abB * acC - abC * acB;
+    const btScalar alongB = acB - abB, alongC = abC - acC;
+    if (weightA <= 0 && alongB >= 0 && alongC >= 0)
+        return b + (c - b) * (alongB + alongC > 0 ? alongB / (alongB + alongC) : 0);
+    const btScalar all = weightA + weightB + weightC;
+    return a + ab * (weightB / all) + ac * (weightC / all);
 }
 
 }  // namespace
 
-SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& transform,
-                            const btVector3& point, btSparseSdf<3>& field) {
-    const btVector3 local = transform.invXform(point);
-    SurfacePoint found;
+SurfacePoint nearestSurface(const btConvexShape& shape, const btVector3& point, btSparseSdf<3>& field) {
     switch (shape.getShapeType()) {
         case SPHERE_SHAPE_PROXYTYPE:
-            found = around(local, static_cast<const btSphereShape&>(shape).getRadius());
-            break;
+            return around(point, static_cast<const btSphereShape&>(shape).getRadius());
         case BOX_SHAPE_PROXYTYPE:
-            found = ofBox(static_cast<const btBoxShape&>(shape), local);
-            break;
+            return ofBox(static_cast<const btBoxShape&>(shape), point);
         case CAPSULE_SHAPE_PROXYTYPE:
-            found = ofCapsule(static_cast<const btCapsuleShape&>(shape), local);
-            break;
+            return ofCapsule(static_cast<const btCapsuleShape&>(shape), point);
         default:
-            if (shape.isConvex())
-                found = ofConvex(static_cast<const btConvexShape&>(shape), local, field);
-            else
-                found.distance = field.Evaluate(local, &shape, found.normal, 0);
+            return ofConvex(shape, point, field);
     }
-    found.normal = transform.getBasis() * found.normal;
+}
+
+SurfacePoint nearestOnTriangle(const std::array<btVector3, 3>& corners, const btVector3& point) {
+    SurfacePoint found = around(point - closestOnTriangle(corners, point), 0);
+    if (!(found.distance > SIMD_EPSILON)) found.normal = normalOfTriangle(corners, point);
     return found;
 }
 
-bool isTriangleOfMesh(const btCollisionObjectWrapper& solid) {
-    constexpr int corners = 6;
-    const btCollisionShape& shape = *solid.getCollisionShape();
-    // Triangles have an index but no parent; children of a compound have both.
-    return solid.m_index >= 0 && !solid.m_parent &&
-           !solid.getCollisionObject()->getCollisionShape()->isConvex() &&
-           shape.getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE &&
-           static_cast<const btConvexHullShape&>(shape).getNumPoints() == corners;
-}
-
-SurfacePoint nearestOnTriangle(const btCollisionShape& hull, const btTransform& transform,
-                               const btVector3& point) {
-    const Triangle triangle = triangleOf(hull);
-    const btVector3 local = transform.invXform(point);
-    btVoronoiSimplexSolver simplex;
-    btSubSimplexClosestResult nearest;
-    simplex.closestPtPointTriangle(local, triangle[0], triangle[1], triangle[2], nearest);
-    SurfacePoint found = around(local - nearest.m_closestPointOnSimplex, 0);
-    if (!(found.distance > SIMD_EPSILON)) found.normal = normalOf(triangle);
-    found.normal = transform.getBasis() * found.normal;
+SurfacePoint nearestOn(const SolidPart& part, const btVector3& point, btSparseSdf<3>& field) {
+    if (!part.convex) return nearestOnTriangle(part.corners, point);
+    SurfacePoint found = nearestSurface(*part.convex, part.inSolid.invXform(point), field);
+    found.normal = part.inSolid.getBasis() * found.normal;
     return found;
 }
 
-btVector3 normalOfTriangle(const btCollisionShape& hull, const btTransform& transform,
-                           const btVector3& point) {
-    const Triangle triangle = triangleOf(hull);
-    const btVector3 normal = normalOf(triangle);
-    const bool isBehind = normal.dot(transform.invXform(point) - triangle[0]) < 0;
-    return transform.getBasis() * (isBehind ? -normal : normal);
-}
-
-btScalar farthestAlong(const btCollisionShape& shape, const btTransform& transform,
-                       const btVector3& direction) {
-    if (!shape.isConvex()) return BT_LARGE_FLOAT;
-    const auto& convex = static_cast<const btConvexShape&>(shape);
-    const btVector3 local = direction * transform.getBasis();
-    return direction.dot(transform * convex.localGetSupportingVertex(local));
-}
-
-btScalar farthestOfTriangle(const btCollisionShape& hull, const btTransform& transform,
-                            const btVector3& direction) {
-    btScalar farthest = -BT_LARGE_FLOAT;
-    for (const btVector3& corner : triangleOf(hull))
-        farthest = std::max(farthest, direction.dot(transform * corner));
-    return farthest;
+btVector3 normalOfTriangle(const std::array<btVector3, 3>& corners, const btVector3& point) {
+    const btVector3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const btScalar length = area.length();
+    if (!(length > 0)) return anyDirection;
+    return area * ((area.dot(point - corners[0]) < 0 ? -1 : 1) / length);
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -1,9 +1,11 @@
 // Distance of a point from a solid.
 #pragma once
 
-#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletSoftBody/btSparseSDF.h>
 
+#include <array>
+
+#include "bullet/contact/solid_parts.h"
 #include "drench/config.h"
 
 namespace drench {
@@ -14,30 +16,20 @@ struct SurfacePoint {
     btVector3 normal;   // outward unit vector
 };
 
-// The nearest surface point of a solid's shape: exact for spheres, boxes and capsules, and by GJK and EPA for
-// other convex shapes; from Bullet's distance field, at the resolution of its voxels, for all others. Convex
-// hulls include their margin.
-SurfacePoint nearestSurface(const btCollisionShape& shape, const btTransform& transform,
-                            const btVector3& point, btSparseSdf<3>& field);
+// The nearest surface point of a convex shape: exact for spheres, boxes and capsules, and by GJK and EPA for
+// other shapes; from Bullet's distance field, at the resolution of its voxels, where these do not converge.
+// Convex hulls include their margin.
+// @param point  in the coordinates of the shape, m
+SurfacePoint nearestSurface(const btConvexShape& shape, const btVector3& point, btSparseSdf<3>& field);
 
-// Whether a shape is a triangle of a mesh. Bullet represents it as a hull of six points, three at a distance
-// on each side, so soft bodies float above meshes.
-bool isTriangleOfMesh(const btCollisionObjectWrapper& solid);
+// The nearest point of a triangle; the normal points to the side of the point.
+SurfacePoint nearestOnTriangle(const std::array<btVector3, 3>& corners, const btVector3& point);
 
-// The nearest point of such a triangle, without its thickness; the normal points to the side of the point.
-SurfacePoint nearestOnTriangle(const btCollisionShape& hull, const btTransform& transform,
-                               const btVector3& point);
+// The same of a part of a solid, in the coordinates of the solid.
+SurfacePoint nearestOn(const SolidPart& part, const btVector3& point, btSparseSdf<3>& field);
 
-// The normal of such a triangle on the side of the point.
-btVector3 normalOfTriangle(const btCollisionShape& hull, const btTransform& transform,
-                           const btVector3& point);
-
-// The extent of a solid's shape along a direction, as a coordinate along it, m; infinite if it is not convex.
-btScalar farthestAlong(const btCollisionShape& shape, const btTransform& transform,
-                       const btVector3& direction);
-// The same for a triangle.
-btScalar farthestOfTriangle(const btCollisionShape& hull, const btTransform& transform,
-                            const btVector3& direction);
+// The unit normal of a triangle on the side of the point.
+btVector3 normalOfTriangle(const std::array<btVector3, 3>& corners, const btVector3& point);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

@@ -1,7 +1,8 @@
 #include "bullet/contact/solids.h"
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
-#include <LinearMath/btTransformUtil.h>
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
 #include <algorithm>
 
@@ -11,11 +12,6 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
-
-btRigidBody* rigidBody(const btCollisionObject& object) {
-    // Bullet passes solids as const, although they may be pushed.
-    return btRigidBody::upcast(const_cast<btCollisionObject*>(&object));
-}
 
 bool touchesSolids(const btCollisionObject& object, btDispatcher* dispatcher) {
     for (int i = 0; dispatcher && i < dispatcher->getNumManifolds(); ++i) {
@@ -27,6 +23,11 @@ bool touchesSolids(const btCollisionObject& object, btDispatcher* dispatcher) {
     return false;
 }
 
+btScalar size(const btVector3& v) {
+    const btVector3 each = v.absolute();
+    return each.x() + each.y() + each.z();
+}
+
 }  // namespace
 
 const btRigidBody* movingBody(const btCollisionObject& object) {
@@ -36,64 +37,89 @@ const btRigidBody* movingBody(const btCollisionObject& object) {
     return body->isKinematicObject() || !body->isStaticObject() ? body : nullptr;
 }
 
+Twist velocitiesOf(const btCollisionObject& object) {
+    if (const btRigidBody* const body = movingBody(object))
+        return {body->getLinearVelocity(), body->getAngularVelocity()};
+    const btMultiBodyLinkCollider* const collider = btMultiBodyLinkCollider::upcast(&object);
+    if (!collider) return {};
+    const btMultiBody& body = *collider->m_multiBody;
+    if (collider->m_link < 0) return {body.getBaseVel(), body.getBaseOmega()};
+    const btSpatialMotionVector& velocity = body.getLink(collider->m_link).m_absFrameTotVelocity;
+    const btMatrix3x3& basis = object.getWorldTransform().getBasis();
+    return {basis * velocity.getLinear(), basis * velocity.getAngular()};
+}
+
+SolidPath pathByVelocities(const btCollisionObject& object, btScalar substep) {
+    const btTransform& end = object.getWorldTransform();
+    const Twist motion = velocitiesOf(object) * substep;
+    return {motion.isZero() ? end : moved(end, motion * -1), end};
+}
+
 void Solid::begin(double substep) {
-    substep_ = remaining_ = btScalar(substep);
-    const btRigidBody* const body = movingBody(*object_);
-    if (!body) return;
-    velocity_ = body->getLinearVelocity();
-    spin_ = body->getAngularVelocity();
-    if (body->isKinematicObject()) return;
-    linearFactor_ = body->getLinearFactor();
-    angularFactor_ = body->getAngularFactor();
-    inverseMass_ = body->getInvMass();
-    inverseInertia_ = body->getInvInertiaTensorWorld();
+    substep_ = btScalar(substep);
+    elapsed_ = smallStep_ = 0;
+    response_ = SolidResponse(*object_);
+    isMoving_ = path_.isMoving();
+    if (isMoving_) own_ = path_.motion() * (1 / substep_);
+    isStill_ = !isMoving_ && !isMovable();
+    isTurning_ = isMoving_ && !own_.angular.isZero();
+}
+
+btTransform Solid::poseAt(btScalar time, const Twist& shift) const {
+    btTransform pose = path_.start;
+    if (isMoving_) pose = moved(pose, own_ * time);
+    return response_.isMovable() ? moved(pose, shift) : pose;
 }
 
 void Solid::advance(double smallStep) {
     smallStep_ = btScalar(smallStep);
-    remaining_ = std::max(btScalar(0), remaining_ - smallStep_);
-    shift_ += addedVelocity_ * smallStep_;
-    turn_ += addedSpin_ * smallStep_;
+    elapsed_ += smallStep_;
+    if (isMoving_) moved_ = own_.linear * elapsed_;
+    if (isTurning_) turn_ = rotation(own_.angular * elapsed_);
+    shiftBefore_ = shift_;
+    if (!isTouched_) return;
+    shift_.linear += added_.linear * smallStep_;
+    shift_.angular += added_.angular * smallStep_;
+    displacing_.force += pushes_.force * smallStep_;
+    displacing_.torque += pushes_.torque * smallStep_;
 }
 
 void Solid::finish(btDispatcher* dispatcher) {
-    if (addedVelocity_.isZero() && addedSpin_.isZero()) return;
+    if (!isTouched_) return;
+    if (!isMovable()) return SolidResponse::wake(*object_);
     // The reaction of a sheet that became unstable, and was held at its position, must not affect other
     // bodies.
-    const btVector3 all =
-        addedVelocity_.absolute() + addedSpin_.absolute() + shift_.absolute() + turn_.absolute();
-    if (!(double(all.x() + all.y() + all.z()) <= fastestNode)) return;
-    btRigidBody* const body = rigidBody(*object_);
-    body->setLinearVelocity(body->getLinearVelocity() + addedVelocity_);
-    body->setAngularVelocity(body->getAngularVelocity() + addedSpin_);
-    body->activate();
-    if (touchesSolids(*object_, dispatcher)) return;
-    btTransform transform;
-    btTransformUtil::integrateTransform(body->getWorldTransform(), shift_, turn_, 1, transform);
-    body->setCenterOfMassTransform(transform);
+    const btScalar all = size(added_.linear) + size(added_.angular) + size(shift_.linear) + size(shift_.angular);
+    if (!(double(all) <= fastestNode)) return;
+    SolidResponse::apply(*object_, pushes_, touchesSolids(*object_, dispatcher) ? nullptr : &displacing_);
 }
 
 btScalar Solid::response(const btVector3& arm, const btVector3& direction) const {
     if (!isMovable()) return 0;
-    const btVector3 lever = arm.cross(direction);
-    return inverseMass_ * direction.dot(direction * linearFactor_) +
-           lever.dot(inverseInertia_ * lever * angularFactor_);
+    const btVector3 lever = turned(arm).cross(direction);
+    const Twist change = response_.to({direction, lever});
+    return direction.dot(change.linear) + lever.dot(change.angular);
 }
 
 void Solid::push(const btVector3& arm, const btVector3& push) {
+    touch();
     if (!isMovable()) return;
-    const btVector3 move = push * linearFactor_ * inverseMass_,
-                    turn = inverseInertia_ * arm.cross(push) * angularFactor_;
-    shift_ += move;
-    turn_ += turn;
-    addedVelocity_ += move / smallStep_;
-    addedSpin_ += turn / smallStep_;
+    const Wrench wrench = {push, turned(arm).cross(push)};
+    const Twist change = response_.to(wrench);
+    shift_.linear += change.linear;
+    shift_.angular += change.angular;
+    added_.linear += change.linear / smallStep_;
+    added_.angular += change.angular / smallStep_;
+    displacing_.force += wrench.force;
+    displacing_.torque += wrench.torque;
+    pushes_.force += wrench.force / smallStep_;
+    pushes_.torque += wrench.torque / smallStep_;
 }
 
-std::size_t Solids::indexOf(const btCollisionObject& object) {
+std::size_t Solids::add(btCollisionObject& object, const SolidPath& path) {
     for (std::size_t i = 0; i < solids_.size(); ++i)
         if (&solids_[i].object() == &object) return i;
-    solids_.emplace_back(object);
+    solids_.emplace_back(object, path);
     return solids_.size() - 1;
 }
 

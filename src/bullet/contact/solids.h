@@ -1,4 +1,5 @@
-// Rigid bodies as seen by the small steps: they move along their path, and react to impulses.
+// Solids as seen by the small steps: they move from their pose at the start of the substep to that at its end, and react
+// to impulses.
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btDispatcher.h>
@@ -6,6 +7,8 @@
 
 #include <vector>
 
+#include "bullet/contact/rigid_motion.h"
+#include "bullet/contact/solid_response.h"
 #include "drench/config.h"
 
 namespace drench {
@@ -14,14 +17,22 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 // The rigid body of a solid that moves by itself or when pushed; null for a static one.
 const btRigidBody* movingBody(const btCollisionObject& object);
 
-// One solid in one substep. Bullet has already moved it to its position at the end of the substep when the
-// sheets are solved; here it moves there in small steps. Impulses from the cloth change its velocity, and its
-// position from then on.
+// The velocities with which a solid is about to move, as far as Bullet knows them before it solves the substep:
+// those of a rigid body, or of a link of a btMultiBody at the end of its last substep. 0 for any other.
+Twist velocitiesOf(const btCollisionObject& object);
+
+// The path by which a solid has come to where it is now with Bullet's velocities.
+SolidPath pathByVelocities(const btCollisionObject& object, btScalar substep);
+
+// One solid in one substep. When the sheets are solved, Bullet has already moved it to the end of its path; here it moves
+// there in small steps. Impulses from the cloth change its velocity, and its position from then on. An arm is a vector
+// from the centre of mass to a point of the solid, at the start of the substep.
 class Solid {
   public:
-    explicit Solid(const btCollisionObject& object) : object_(&object) {}
+    // @param start  of its path, at the end of which it is now
+    Solid(btCollisionObject& object, const SolidPath& path) : object_(&object), path_(path) {}
 
-    // Reads its position at the end of the substep.
+    // @pre Bullet has solved the substep
     void begin(double substep);
     // Advances by one small step.
     void advance(double smallStep);
@@ -31,27 +42,31 @@ class Solid {
     void finish(btDispatcher* dispatcher);
 
     const btCollisionObject& object() const { return *object_; }
-    bool isMovable() const { return inverseMass_ > 0; }
-    bool isMoving() const { return !velocity_.isZero() || !spin_.isZero(); }
-    // Displacement of its centre of mass in the substep by its own velocity, m.
-    btVector3 path() const { return velocity_ * substep_; }
-    const btTransform& end() const { return object_->getWorldTransform(); }
+    const SolidPath& path() const { return path_; }
+    bool isMovable() const { return response_.isMovable(); }
+    // Whether it neither moves nor can be pushed.
+    bool isStill() const { return isStill_; }
+    bool isTurning() const { return isTurning_; }
 
-    // The arm of a point in the middle of the substep; it rotates with the solid. With it, the motion of the
-    // point over the whole substep is accurate to second order.
-    btVector3 middle(const btVector3& armAtEnd) const {
-        return armAtEnd - spin_.cross(armAtEnd) * (substep_ / 2);
-    }
-
-    // Present displacement of a point at `arm` from the centre of mass, relative to its original position at
-    // the end of the substep.
+    // A vector of the solid, given as it is at the start of the substep, as it is now.
+    btVector3 turned(const btVector3& atStart) const { return isTurning_ ? turn_ * atStart : atStart; }
+    btVector3 unturned(const btVector3& now) const { return isTurning_ ? now * turn_ : now; }
+    // Displacement of a point since the start of the substep.
     btVector3 displacement(const btVector3& arm) const {
-        return shift_ + turn_.cross(arm) - (velocity_ + spin_.cross(arm)) * remaining_;
+        return isStill_ ? btVector3(0, 0, 0) : moved_ + (turned(arm) - arm) + shiftOf(arm);
     }
+    // The part of it that impulses have caused.
+    btVector3 shiftOf(const btVector3& arm) const { return shift_.linear + shift_.angular.cross(turned(arm)); }
     // Displacement of that point in a small step.
     btVector3 step(const btVector3& arm) const {
-        return (velocity_ + addedVelocity_ + (spin_ + addedSpin_).cross(arm)) * smallStep_;
+        return (own_.linear + added_.linear + (own_.angular + added_.angular).cross(turned(arm))) * smallStep_;
     }
+    // Its pose now, and at the start of the small step.
+    btTransform pose() const { return poseAt(elapsed_, shift_); }
+    btTransform poseBefore() const { return poseAt(elapsed_ - smallStep_, shiftBefore_); }
+
+    // Cloth touches it, which keeps it awake.
+    void touch() { isTouched_ = true; }
     // Response of that point to an impulse along a direction: an inverse mass, 1/kg.
     btScalar response(const btVector3& arm, const btVector3& direction) const;
     // Applies an impulse at that point.
@@ -59,28 +74,30 @@ class Solid {
     void push(const btVector3& arm, const btVector3& push);
 
   private:
-    const btCollisionObject* object_;
-    btVector3 velocity_ = {0, 0, 0};       // own velocity, m/s
-    btVector3 spin_ = {0, 0, 0};           // own angular velocity, rad/s
-    btVector3 addedVelocity_ = {0, 0, 0};  // from impulses, m/s
-    btVector3 addedSpin_ = {0, 0, 0};      // from impulses, rad/s
-    btVector3 shift_ = {0, 0, 0};          // from impulses, m
-    btVector3 turn_ = {0, 0, 0};           // from impulses, rad
-    btVector3 linearFactor_ = {1, 1, 1};   // Bullet's linear factor
-    btVector3 angularFactor_ = {1, 1, 1};  // Bullet's angular factor
-    btMatrix3x3 inverseInertia_ = btMatrix3x3(0, 0, 0, 0, 0, 0, 0, 0, 0);
-    btScalar inverseMass_ = 0;
+    btTransform poseAt(btScalar time, const Twist& shift) const;
+
+    btCollisionObject* object_;
+    SolidPath path_;
+    SolidResponse response_;
+    Twist own_;                       // its own velocities, m/s and rad/s
+    Twist added_;                     // velocities by impulses, m/s and rad/s
+    Twist shift_, shiftBefore_;       // displacement by impulses, m and rad; at the start of the small step
+    Wrench pushes_, displacing_;      // sums of impulses, N s, and of impulses times the time since, N s2
+    btVector3 moved_ = {0, 0, 0};     // displacement of the centre of mass along the path, m
+    btMatrix3x3 turn_ = btMatrix3x3::getIdentity();  // since the start of the substep
+    bool isStill_ = true;
+    bool isMoving_ = false, isTurning_ = false, isTouched_ = false;
     btScalar substep_ = 0;    // s
     btScalar smallStep_ = 0;  // s
-    btScalar remaining_ = 0;  // time left in the substep, s
+    btScalar elapsed_ = 0;    // s since the start of the substep
 };
 
 // The solids that sheets touch in a substep.
 class Solids {
   public:
     void clear() { solids_.clear(); }
-    // Index of a solid, which is added if it is new.
-    std::size_t indexOf(const btCollisionObject& object);
+    // Index of a solid; it is added if it is new.
+    std::size_t add(btCollisionObject& object, const SolidPath& path);
     Solid& operator[](std::size_t index) { return solids_[index]; }
     const Solid& operator[](std::size_t index) const { return solids_[index]; }
 

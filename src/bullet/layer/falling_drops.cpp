@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "bullet/layer/layer.h"
+#include "bullet/world/gravity.h"
 #include "bullet/world/soft_world.h"
 #include "bullet/world/vectors.h"
 #include "checks/checks.h"
@@ -136,7 +137,8 @@ void FallingDrops::step(double dt) {
         refuse("drops cannot fall for ", dt, " s; give a finite time of at least 0 s");
     takeDrops();
     landed_.clear();
-    const Eigen::Vector3d gravity = toEigen(worldInfoOf(world_).m_gravity);
+    const btVector3 found = gravityOf(world_).value;
+    const Eigen::Vector3d gravity = isValidGravity(found) ? toEigen(found) : Eigen::Vector3d(0, 0, 0);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < flights_.size(); ++i) {
         Flight flight = flights_[i];

@@ -8,7 +8,9 @@
 
 #include "bullet/bullet_solvers/contact_order.h"
 #include "bullet/bullet_solvers/link_constants.h"
+#include "bullet/repair/pieces.h"
 #include "bullet/sheet/border_checks.h"
+#include "bullet/world/gravity.h"
 #include "bullet/world/stop_watch.h"
 #include "bullet/world/vectors.h"
 #include "checks/checks.h"
@@ -67,10 +69,11 @@ ClothMesh checkedMesh(const SheetSettings& settings, const btSoftBody& body, con
 }
 
 SheetMechanics checkedMechanics(const btCollisionWorld& world, const btSoftBody& body, const Fabric& fabric,
-                                const SheetSettings& settings) {
+                                const SheetSettings& settings, Diagnostics& diagnostics) {
     validate(fabric);
     RestShape shape = checkedShape(world, body);
     ClothMesh mesh = checkedMesh(settings, body, shape);
+    if (!settings.mayBeInPieces) reportPieces(body, shape, diagnostics);
     return {fabric, std::move(shape), std::move(mesh)};
 }
 
@@ -82,9 +85,11 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       body(sheet),
       stepping(settings.stepping),
       waterSpeed(checkedWaterSpeed("SheetSettings::waterSpeed", settings.waterSpeed)),
+      ownGravity(settings.ownGravity),
+      unusualScale(settings.unusualScale),
       diagnostics(settings.onTrouble),
       fabric(aFabric),
-      mechanics(checkedMechanics(world, body, fabric, settings)),
+      mechanics(checkedMechanics(world, body, fabric, settings, diagnostics)),
       mesh(mechanics.mesh),
       coordinates(nodeCoordinates(mesh)),
       totalArea(std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0)),
@@ -109,8 +114,11 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
         deformable = std::make_unique<DeformableSheet>(world, body, mechanics, dryMasses(),
                                                        std::max(1.0, double(fabric.wetStretchRatio)),
                                                        std::max(1.0, double(fabric.wetBendingRatio)));
-    pose.gather(body, mesh);
+    if (const btVector3 gravity = gravityOf(world, body, ownGravity).value; isValidGravity(gravity))
+        mechanics.gravity = gravity;
+    pose.gather(body, mesh, mechanics.gravity);
     topology.follow(body);
+    mechanics.near.observe(body);
     if (stepping == Stepping::byWorld) ticks.hearPreTicks();
 }
 
@@ -173,7 +181,7 @@ void WetCloth::Layer::add(std::unique_ptr<Source> source) {
     if (watch.bodyIsAlive()) {
         // A source checks its settings in every step; with a dt of 0 it does nothing else.
         if (fits()) {
-            pose.gather(body, mesh);
+            pose.gather(body, mesh, mechanics.gravity);
             pose.gatherMotion(body);
         }
         NoSupply trial;
@@ -371,13 +379,25 @@ void WetCloth::Layer::pushByFluid(double bodyStep) {
     const FluidForces::Around around = {laws,    winds.velocities(), submersion, moisture, mechanics, pose,
                                         bodyStep};
     if (!body.isActive() && fluidForces.isLiftedOtherwise(around)) body.activate();
-    if (!body.isActive())
+    if (!body.isActive()) {
         fluidForces.rest();
-    else if (deformable)
+    } else if (deformable) {
         fluidForces.push(body, around);
-    else
+    } else {
         fluidForces.add(body, around);
+        correctWeight();
+    }
     submersion.forget();
+}
+
+// Bullet will move the body by the gravity of its world info.
+void WetCloth::Layer::correctWeight() {
+    const btVector3 missing = mechanics.gravity - body.m_worldInfo->m_gravity;
+    if (missing.isZero()) return;
+    for (int n = 0; n < body.m_nodes.size(); ++n) {
+        btSoftBody::Node& node = body.m_nodes[n];
+        if (node.m_im > 0) node.m_f += missing / node.m_im;
+    }
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -26,6 +26,7 @@
 #include "bullet/sheet/pose.h"
 #include "bullet/sheet/sheet_mechanics.h"
 #include "bullet/world/body_watch.h"
+#include "bullet/world/gravity.h"
 #include "bullet/world/ticks.h"
 #include "drench/moisture.h"
 #include "drench/snapshot.h"
@@ -86,6 +87,9 @@ struct WetCloth::Layer final : TickListener {
     // Whether the numbers of nodes, links and faces are those of the last substep.
     bool fits() const;
     void repairBody();
+    void readGravity();
+    void reportGravities(const Gravity& found);
+    void checkScale();
     void reportHeldSubsteps();
     void readAir(double bodyStep);
     double bodyStepOf(btScalar dt) const;
@@ -96,6 +100,7 @@ struct WetCloth::Layer final : TickListener {
     void collectDrops();
     void writeBack(double bodyStep);
     void pushByFluid(double bodyStep);
+    void correctWeight();
 
     // State that is kept from step to step; see layer_state.cpp.
     Snapshot snapshot();
@@ -124,11 +129,16 @@ struct WetCloth::Layer final : TickListener {
     btSoftBody& body;                // exists as long as `watch` says so
     const Stepping stepping;
     double waterSpeed;
+    const bool ownGravity;
+    const bool unusualScale;
     Diagnostics diagnostics;
     int objectsChecked = 0;  // number of collision objects in the world at the last check for planes
     Air air;
-    Air usedAir;                                 // last valid value of air
-    btVector3 usedGravity = btVector3(0, 0, 0);  // last valid gravity, m/s2
+    Air usedAir;                                   // last valid value of air
+    btVector3 gravityOfInfo = btVector3(0, 0, 0);  // last valid gravity of the world info, m/s2
+    btVector3 reportedGravity = btVector3(0, 0, 0),
+              reportedOther = btVector3(0, 0, 0);  // that differed, m/s2
+    bool scaleIsChecked = false;
 
     const Fabric fabric;
     SheetMechanics mechanics;

@@ -9,6 +9,9 @@
 #include "bullet/layer/layer.h"
 #include "bullet/repair/recut.h"
 #include "bullet/repair/repair.h"
+#include "bullet/repair/units.h"
+#include "bullet/sheet/border_checks.h"
+#include "bullet/world/gravity.h"
 #include "bullet/world/stop_watch.h"
 #include "bullet/world/vectors.h"
 #include "checks/checks.h"
@@ -81,7 +84,7 @@ bool WetCloth::Layer::fitToBody() {
 // Repairs that are possible whatever the topology is.
 void WetCloth::Layer::repairUnfitBody() {
     repairSettings(body, diagnostics);
-    repairGravity(body, usedGravity, diagnostics);
+    repairGravity(body, gravityOfInfo, diagnostics);
     if (mechanics.fits) unfitPositions = pose.positionsInWorld();
     repairNodes(body, unfitPositions, {}, diagnostics);
     unfitPositions = positionsOf(body);
@@ -130,11 +133,42 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) {
 void WetCloth::Layer::repairBody() {
     repairSettings(body, diagnostics);
     repairRestLengthScale(body, mechanics.shape, diagnostics);
-    repairGravity(body, usedGravity, diagnostics);
-    usedGravity = body.m_worldInfo->m_gravity;
-    if (pose.gather(body, mesh)) return;
+    repairGravity(body, gravityOfInfo, diagnostics);
+    gravityOfInfo = body.m_worldInfo->m_gravity;
+    readGravity();
+    checkScale();
+    if (pose.gather(body, mesh, mechanics.gravity)) return;
     repairNodes(body, pose.positionsInWorld(), mechanics.masses, diagnostics);
-    pose.gather(body, mesh);
+    pose.gather(body, mesh, mechanics.gravity);
+}
+
+void WetCloth::Layer::readGravity() {
+    const Gravity found = gravityOf(world, body, ownGravity);
+    if (isValidGravity(found.value)) {
+        if (found.disagrees) reportGravities(found);
+        mechanics.gravity = found.value;
+        return;
+    }
+    diagnostics.note(Trouble::gravity,
+                     textOf(nameOf(found.place), " is ", sixDigits(found.value),
+                            " m/s2; give a finite one, at most 10000; the last valid one is used"));
+}
+
+// The message is written only once, because writing it takes memory in each step.
+void WetCloth::Layer::reportGravities(const Gravity& found) {
+    const bool isKnown = found.value == reportedGravity && found.otherValue == reportedOther;
+    if (isKnown && diagnostics.goesOn(Trouble::gravityPlaces)) return;
+    diagnostics.note(Trouble::gravityPlaces, disagreementOf(found));
+    reportedGravity = found.value;
+    reportedOther = found.otherValue;
+}
+
+void WetCloth::Layer::checkScale() {
+    if (scaleIsChecked || unusualScale) return;
+    const std::string problem = wrongUnit({materialSize(mesh), meanLinkLength(mechanics.shape),
+                                           laws.mass(totalArea, 0), double(mechanics.gravity.length())});
+    if (!problem.empty()) diagnostics.note(Trouble::units, problem);
+    scaleIsChecked = true;
 }
 
 void WetCloth::Layer::reportHeldSubsteps() {

@@ -182,6 +182,10 @@ StepTimes WetCloth::times() const {
     return layer_->mechanics.times;
 }
 
+void WetCloth::jumped() {
+    layer_->mechanics.hasJumped = true;
+}
+
 void WetCloth::preSubstep(btScalar dt) {
     if (layer_->stepping == Stepping::byWorld)
         refuse<std::logic_error>(

@@ -18,9 +18,22 @@ void Diagnostics::noteThrown(Trouble what, const std::string& message) {
     write(what, message, -1, 0);
 }
 
+bool Diagnostics::goesOn(Trouble what) {
+    const auto report = find(what);
+    if (throws() || report == reports_.end()) return false;
+    report->last = time_;
+    report->lastSubstep = substep_;
+    ++report->substeps;
+    return true;
+}
+
+std::vector<TroubleReport>::iterator Diagnostics::find(Trouble what) {
+    return std::find_if(reports_.begin(), reports_.end(),
+                        [what](const TroubleReport& known) { return known.what == what; });
+}
+
 void Diagnostics::write(Trouble what, const std::string& message, int node, double value) {
-    auto report = std::find_if(reports_.begin(), reports_.end(),
-                               [what](const TroubleReport& known) { return known.what == what; });
+    auto report = find(what);
     if (report == reports_.end()) {
         reports_.push_back({what, {}, -1, 0, time_, time_, substep_, substep_, 0});
         report = reports_.end() - 1;

@@ -25,7 +25,10 @@ class Diagnostics {
     // @throws std::runtime_error with the message, if the policy is OnTrouble::throwError; the caller must
     //     not have changed anything before
     void note(Trouble what, const std::string& message, int node = -1, double value = 0);
-    // The same for an exception, which is rethrown if the policy is OnTrouble::throwError.
+    // Counts another substep of a problem that has been reported. @return whether it has been, and is not to be
+    //     thrown; if not, call `note`
+    bool goesOn(Trouble what);
+    // The same as `note` for an exception, which is rethrown if the policy is OnTrouble::throwError.
     // @pre called while the exception is being handled
     void noteThrown(Trouble what, const std::string& message);
 
@@ -34,6 +37,7 @@ class Diagnostics {
     void clear() { reports_.clear(); }
 
   private:
+    std::vector<TroubleReport>::iterator find(Trouble what);
     void write(Trouble what, const std::string& message, int node, double value);
 
     OnTrouble policy_;

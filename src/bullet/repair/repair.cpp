@@ -6,6 +6,7 @@
 
 #include "checks/text.h"
 
+#include "bullet/world/gravity.h"
 #include "bullet/world/limits.h"
 
 namespace drench {
@@ -158,8 +159,8 @@ void repairRestLengthScale(btSoftBody& body, const RestShape& shape, Diagnostics
 
 void repairGravity(btSoftBody& body, const btVector3& lastGood, Diagnostics& diagnostics) {
     btVector3& gravity = body.m_worldInfo->m_gravity;
-    const double strength = std::hypot(double(gravity.x()), double(gravity.y()), double(gravity.z()));
-    if (strength <= strongestGravity) return;
+    if (isValidGravity(gravity)) return;
+    const double strength = strengthOfGravity(gravity);
     diagnostics.note(Trouble::gravity,
                      textOf("the gravity of the body's world info is ", sixDigits(strength),
                             " m/s2; give a finite one, at most 10000, in getWorldInfo()->m_gravity"),

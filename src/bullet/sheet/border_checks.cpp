@@ -33,12 +33,12 @@ bool mayMeet(const btBroadphaseProxy* a, const btBroadphaseProxy* b) {
            (b->m_collisionFilterGroup & a->m_collisionFilterMask) != 0;
 }
 
+}  // namespace
+
 double meanLinkLength(const RestShape& shape) {
     const auto isStretched = [&](std::size_t link) { return !shape.links[link].bending; };
     return meanLength(shape.links, isStretched).value_or(shape.links[0].length);
 }
-
-}  // namespace
 
 void checkBody(const btSoftBody& body) {
     if (body.getInternalType() != btCollisionObject::CO_SOFT_BODY)

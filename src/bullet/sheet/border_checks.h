@@ -20,6 +20,9 @@ void checkBody(const btSoftBody& body);
 // @throws std::invalid_argument
 void checkPlanes(const btCollisionWorld& world, const btSoftBody& body);
 
+// Mean rest length of the links that are not for bending, m. @pre there are links
+double meanLinkLength(const RestShape& shape);
+
 // Refuses a body whose contacts would be inaccurate: a distance field or a margin coarser than its mean link.
 // @throws std::invalid_argument
 void checkContacts(const btSoftBody& body, const RestShape& shape);

@@ -18,8 +18,8 @@ Pose::Pose(const ClothMesh& mesh)
             trianglesAround[static_cast<std::size_t>(node)].push_back(static_cast<int>(t));
 }
 
-bool Pose::gather(const btSoftBody& body, const ClothMesh& mesh) {
-    const Eigen::Vector3d down = toEigen(body.m_worldInfo->m_gravity);
+bool Pose::gather(const btSoftBody& body, const ClothMesh& mesh, const btVector3& gravityOfBody) {
+    const Eigen::Vector3d down = toEigen(gravityOfBody);
     gravity = down.norm();
     up = gravity > 0 ? Eigen::Vector3d(-down / gravity) : Eigen::Vector3d::Zero();
     const btVector3 first = body.m_nodes[0].m_x, direction = toBullet(up);

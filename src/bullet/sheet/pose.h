@@ -18,11 +18,12 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 struct Pose {
     explicit Pose(const ClothMesh& mesh);
 
-    // Reads gravity and all node data that a substep needs, in a single pass over Bullet's nodes, each of
-    // which takes four cache lines.
+    // Reads all node data that a substep needs, in a single pass over Bullet's nodes, each of which takes four
+    // cache lines.
+    // @param gravityOfBody  m/s2
     // @return whether all positions, velocities, forces and inverse masses are finite and in range; if not,
     //     positions are the last valid ones
-    bool gather(const btSoftBody& body, const ClothMesh& mesh);
+    bool gather(const btSoftBody& body, const ClothMesh& mesh, const btVector3& gravityOfBody);
     // Positions of the nodes in the world, m.
     std::vector<btVector3> positionsInWorld() const;
     // Reads positions and velocities again, for sources.

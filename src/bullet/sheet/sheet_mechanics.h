@@ -1,10 +1,13 @@
 // Mechanical properties of a sheet for the solvers: its cloth at rest, and the effect of its water.
 #pragma once
 
+#include <LinearMath/btVector3.h>
+
 #include <memory>
 #include <vector>
 
 #include "bullet/contact/friction.h"
+#include "bullet/contact/near_solids.h"
 #include "bullet/sheet/rest_shape.h"
 #include "cloth/link_stiffness.h"
 #include "drench/cloth_mesh.h"
@@ -45,9 +48,14 @@ struct SheetMechanics {
     std::vector<double> bendingRatios;          // ratio of wet to dry
     std::vector<double> bendingFrictionRatios;  // ratio of wet to dry
 
+    btVector3 gravity = btVector3(0, 0, 0);  // of the body in this substep, m/s2; see gravityOf
+
+    NearSolids near;  // as the SmallStepSolver last saw them
+
     // Set by a SmallStepSolver, once it has found the sheet.
     std::shared_ptr<MovingSheet> moving;
     bool movedBySmallSteps = false;  // in the last substep
+    bool hasJumped = false;          // the application has put the sheet elsewhere since then
     int smallSteps = 0;              // of the last substep
     int heldSubsteps = 0;            // substeps that were held because the result was not finite
     int heldNode = -1;               // first invalid node in the last of them

@@ -6,8 +6,14 @@ namespace drench {
 
 const SmallStepKernels& avx2Kernels();
 const SmallStepKernels& avx2Kernels() {
-    static const SmallStepKernels kernels = {"AVX2",           wide::advance,       wide::prepareLinks,
-                                             wide::solveLinks, wide::preparePlates, wide::solvePlates};
+    static const SmallStepKernels kernels = {"AVX2",
+                                             wide::advance,
+                                             wide::advanceByFraction,
+                                             wide::correctByFraction,
+                                             wide::prepareLinks,
+                                             wide::solveLinks,
+                                             wide::preparePlates,
+                                             wide::solvePlates};
     return kernels;
 }
 

@@ -29,6 +29,34 @@ void advance(MovingNode* moved, MovingNode* predicted, MovingNode* steps, const 
     }
 }
 
+void advanceByFraction(const StepArrays& nodes, const MovingNode* push, float keep, float fraction,
+                       std::size_t count) {
+    const float squared = fraction * fraction, times = 1 / fraction;
+    for (std::size_t n = 0; n < count; ++n) {
+        MovingNode &node = nodes.moved[n], &step = nodes.steps[n];
+        const MovingNode &before = nodes.predicted[n], &by = push[n];
+        const bool isPin = !(node.inverseMass > 0);
+        const float now = isPin ? 1 : squared, later = isPin ? times : 1;
+        const float x = (step.x + (node.x - before.x)) * keep, y = (step.y + (node.y - before.y)) * keep,
+                    z = (step.z + (node.z - before.z)) * keep;
+        step = {x + by.x * now, y + by.y * now, z + by.z * now, 0};
+        nodes.ahead[n] =
+            nodes.expected[n] = {node.x + x * times + by.x * later, node.y + y * times + by.y * later,
+                                 node.z + z * times + by.z * later, node.inverseMass};
+        node = {node.x + step.x, node.y + step.y, node.z + step.z, node.inverseMass};
+        nodes.predicted[n] = node;
+    }
+}
+
+void correctByFraction(const StepArrays& nodes, float fraction, std::size_t count) {
+    const float squared = fraction * fraction;
+    for (std::size_t n = 0; n < count; ++n) {
+        const MovingNode &corrected = nodes.ahead[n], &expected = nodes.expected[n];
+        addTo(nodes.moved[n], corrected.x - expected.x, corrected.y - expected.y, corrected.z - expected.z,
+              squared);
+    }
+}
+
 void prepareLinks(LinkBlock* blocks, const float* dry, const MovingNode* start, const NodeRatios* ratios,
                   float smallStepSquared, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -179,8 +207,8 @@ void preparePlates(MovingNode* push, PlateBlock* blocks, PlateState* states, con
 }  // namespace
 
 const SmallStepKernels& scalarKernels() {
-    static const SmallStepKernels kernels = {"scalar",   advance,       prepareLinks,
-                                             solveLinks, preparePlates, solvePlates};
+    static const SmallStepKernels kernels = {"scalar",     advance,    advanceByFraction, correctByFraction,
+                                             prepareLinks, solveLinks, preparePlates,     solvePlates};
     return kernels;
 }
 
@@ -189,8 +217,9 @@ const SmallStepKernels& scalarKernels() {
 namespace {
 
 const SmallStepKernels& baselineKernels() {
-    static const SmallStepKernels kernels = {"baseline vectors", wide::advance,       wide::prepareLinks,
-                                             wide::solveLinks,   wide::preparePlates, wide::solvePlates};
+    static const SmallStepKernels kernels = {
+        "baseline vectors", wide::advance,    wide::advanceByFraction, wide::correctByFraction,
+        wide::prepareLinks, wide::solveLinks, wide::preparePlates,     wide::solvePlates};
     return kernels;
 }
 

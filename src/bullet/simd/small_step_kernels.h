@@ -76,6 +76,11 @@ static inline float plateFraction(float response, float all, float compliance, f
     return 1 / ((soft > all ? soft : all) * every * every);
 }
 
+// Nodes in a step that is shorter than the longest one; see SmallStepKernels.
+struct StepArrays {
+    MovingNode *moved, *predicted, *steps, *ahead, *expected;
+};
+
 struct SmallStepKernels {
     const char* name;
 
@@ -86,6 +91,15 @@ struct SmallStepKernels {
     // @param steps  m per small step; its inverse masses, and those of push, are 0
     void (*advance)(MovingNode* moved, MovingNode* predicted, MovingNode* steps, const MovingNode* push,
                     float keep, std::size_t count);
+
+    // Advances by a small step that is shorter than the longest one, whose fraction it is: `push`, per longest
+    // step, moves nodes by the square of that fraction (pins: per small step, completely). `ahead` and `expected`
+    // get the displacements of the nodes after the longest step.
+    void (*advanceByFraction)(const StepArrays& nodes, const MovingNode* push, float keep, float fraction,
+                              std::size_t count);
+
+    // Moves nodes by the square of the fraction of what corrections have added to `ahead`.
+    void (*correctByFraction)(const StepArrays& nodes, float fraction, std::size_t count);
 
     // Computes the values of the links for this substep.
     // @param start           positions, m

@@ -17,6 +17,30 @@ static void advance(MovingNode* moved, MovingNode* predicted, MovingNode* steps,
     }
 }
 
+static void advanceByFraction(const StepArrays& nodes, const MovingNode* push, float keep, float fraction,
+                              std::size_t count) {
+    const float squared = fraction * fraction, times = 1 / fraction;
+    for (std::size_t n = 0; n < count; ++n) {
+        MovingNode& moved = nodes.moved[n];
+        const bool isPin = !(moved.inverseMass > 0);
+        const float now = isPin ? 1 : squared, later = isPin ? times : 1;
+        const Four kept = (four(nodes.steps[n]) + (four(moved) - four(nodes.predicted[n]))) * keep;
+        const Four step = kept + four(push[n]) * now;
+        const Four ahead = four(moved) + kept * times + four(push[n]) * later;
+        four(nodes.ahead[n]) = ahead;
+        four(nodes.expected[n]) = ahead;
+        four(nodes.steps[n]) = step;
+        four(moved) += step;
+        four(nodes.predicted[n]) = four(moved);
+    }
+}
+
+static void correctByFraction(const StepArrays& nodes, float fraction, std::size_t count) {
+    const float squared = fraction * fraction;
+    for (std::size_t n = 0; n < count; ++n)
+        four(nodes.moved[n]) += (four(nodes.ahead[n]) - four(nodes.expected[n])) * squared;
+}
+
 static void prepareLinks(LinkBlock* blocks, const float* dry, const MovingNode* start,
                          const NodeRatios* ratios, float smallStepSquared, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {

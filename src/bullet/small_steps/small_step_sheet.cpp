@@ -10,6 +10,7 @@
 #include "bullet/simd/independent_blocks.h"
 #include "bullet/world/limits.h"
 #include "cloth/plate_bending.h"
+#include "cloth/plate_response.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
@@ -66,43 +67,6 @@ class WeightTable {
     std::map<std::array<int, blockWidth>, int> blocks_;
 };
 
-// Response of the curvature of a plate to its own moment, times areal density, 1/m4: a value that most plates
-// do not exceed, because a few bad triangles should not determine the step of the whole sheet.
-double usualResponse(const std::vector<PlateElement>& plates, const std::vector<double>& nodeAreas) {
-    std::vector<double> responses;
-    for (const PlateElement& plate : plates) {
-        double& response = responses.emplace_back(0.0);
-        for (std::size_t k = 0; k < 6; ++k) {
-            if (plate.nodes[k] < 0) continue;
-            const double nodeArea = nodeAreas[static_cast<std::size_t>(plate.nodes[k])];
-            for (const auto& weights : plate.weights)
-                response += weights[k] * weights[k] * plate.area / nodeArea;
-        }
-    }
-    if (responses.empty()) return 0;
-    const auto max = responses.begin() + static_cast<std::ptrdiff_t>(responses.size() * 9 / 10);
-    std::nth_element(responses.begin(), max, responses.end());
-    return *max;
-}
-
-// Upper bound of the squared angular frequencies of all bending modes, times areal density over rigidity,
-// 1/m4 (Gershgorin).
-double stiffestNode(const std::vector<PlateElement>& plates, const std::vector<double>& nodeAreas) {
-    std::vector<double> sums(nodeAreas.size(), 0.0);
-    for (const PlateElement& plate : plates)
-        for (const auto& weights : plate.weights) {
-            double all = 0;
-            for (const double weight : weights) all += std::abs(weight);
-            for (std::size_t k = 0; k < 6; ++k)
-                if (plate.nodes[k] >= 0)
-                    sums[static_cast<std::size_t>(plate.nodes[k])] += plate.area * std::abs(weights[k]) * all;
-        }
-    double largest = 0;
-    for (std::size_t n = 0; n < sums.size(); ++n)
-        if (nodeAreas[n] > 0) largest = std::max(largest, sums[n] / nodeAreas[n]);
-    return largest;
-}
-
 }  // namespace
 
 SmallStepSheet::SmallStepSheet(const SheetMechanics& mechanics, const SmallStepKernels& kernels)
@@ -112,7 +76,7 @@ SmallStepSheet::SmallStepSheet(const SheetMechanics& mechanics, const SmallStepK
       stretch_(mechanics.stretch) {
     const std::size_t slots = count_ + 1;
     for (auto* nodes : {&start_, &velocity_, &acceleration_, &reach_, &moved_, &predicted_, &steps_, &push_,
-                        &pushAndMoments_, &ahead_})
+                        &pushAndMoments_, &ahead_, &expected_})
         nodes->assign(slots, MovingNode{0, 0, 0, 0});
     ratios_.assign(slots, NodeRatios{1, 1, 1, 0});
     packLinks(mechanics);
@@ -163,7 +127,11 @@ void SmallStepSheet::packPlates(const SheetMechanics& mechanics) {
     plateLaws_ = {float(mechanics.bending), float(mechanics.bendingFriction),
                   mechanics.bendingFriction > 0 ? float(heldOverElastic) : 0.0f};
 
-    const std::vector<PlateElement> elements = plateElements(mechanics.mesh);
+    // A few bad triangles should not determine the steps of a whole world.
+    constexpr double stiffest = 4;  // ratio to the usual response; beyond, steps do not resolve plates anyway
+    std::vector<PlateElement> elements = plateElements(mechanics.mesh);
+    plateResponse_ = usualResponse(elements, mechanics.mesh);
+    limitResponses(elements, mechanics.mesh.areas, stiffest * plateResponse_);
     std::vector<std::array<int, 6>> nodes;
     for (const PlateElement& element : elements) nodes.push_back(element.nodes);
     WeightTable table;
@@ -186,15 +154,15 @@ void SmallStepSheet::packPlates(const SheetMechanics& mechanics) {
         }
         block.weights = table.of(classes, plateWeights_);
     }
-    plateResponse_ = usualResponse(elements, mechanics.mesh.areas);
     stiffestPlates_ = stiffestNode(elements, mechanics.mesh.areas);
 }
 
 void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechanics, double substep) {
     substep_ = substep;
     damping_ = double(body.m_cfg.kDP);
+    // Where the sheet's gravity is another, its layer has added the difference to the forces.
     const btVector3& gravity = body.m_worldInfo->m_gravity;
-    gravity_ = double(gravity.length());
+    gravity_ = double(mechanics.gravity.length());
     farthestMotion_ = body.m_worldInfo->m_maxDisplacement;
     origin_ = body.m_nodes[0].m_x;
     const bool pinsGoOn = isWhereItWas(body);
@@ -205,10 +173,6 @@ void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechani
         ratios_[n] = {float(mechanics.stretchRatios[n]), float(mechanics.bendingRatios[n]),
                       float(mechanics.bendingFrictionRatios[n]), 0};
     }
-    farthestReach_ = 0;
-    for (const MovingNode& reach : reach_)
-        farthestReach_ = std::max(farthestReach_, vectorOf(reach).length2());
-    farthestReach_ = std::sqrt(farthestReach_);
     boundNodes(body);
     if (double(body.m_restLengthScale) == restLengthScale_) return;
     restLengthScale_ = double(body.m_restLengthScale);
@@ -219,6 +183,12 @@ void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechani
 }
 
 void SmallStepSheet::boundNodes(const btSoftBody& body) {
+    btVector3 mean(0, 0, 0);
+    for (std::size_t n = 0; n < count_; ++n) mean += vectorOf(reach_[n]) / btScalar(count_);
+    farthestPull_ = 0;
+    for (std::size_t n = 0; n < count_; ++n)
+        farthestPull_ = std::max(farthestPull_, (vectorOf(reach_[n]) - mean).length2());
+    farthestPull_ = std::sqrt(farthestPull_);
     bounds_.resize((count_ + nodesOfBounds - 1) / nodesOfBounds);
     for (std::size_t n = 0; n < count_; ++n) {
         Bounds& bounds = bounds_[n / nodesOfBounds];
@@ -243,13 +213,39 @@ void SmallStepSheet::beginNode(const btSoftBody::Node& node, std::size_t n, cons
     reach_[n] = packed(limited((node.m_v + vectorOf(acceleration_[n]) * t) * t, farthestMotion_));
 }
 
-// Whether the application has moved nothing but pins.
 bool SmallStepSheet::isWhereItWas(const btSoftBody& body) const {
     for (std::size_t n = 0; n < end_.size(); ++n) {
         const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
         if (node.m_im > 0 && node.m_x != end_[n]) return false;
     }
     return !end_.empty();
+}
+
+bool SmallStepSheet::isElsewhere(const btSoftBody& body) const {
+    bool areMoved = false;
+    for (std::size_t n = 0; n < end_.size(); ++n) {
+        const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        if (!(node.m_im > 0)) continue;
+        if (node.m_x == end_[n]) return false;
+        areMoved = true;
+    }
+    return areMoved;
+}
+
+void SmallStepSheet::carry(btSoftBody& body, const btTransform& from, const btTransform& to) {
+    const btMatrix3x3 turn = to.getBasis() * from.getBasis().transpose();
+    for (std::size_t n = 0; n < end_.size(); ++n) {
+        btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
+        node.m_x = end_[n] = turn * (node.m_x - from.getOrigin()) + to.getOrigin();
+        node.m_q = turn * (node.m_q - from.getOrigin()) + to.getOrigin();
+        node.m_v = turn * node.m_v;
+    }
+}
+
+Bounds SmallStepSheet::allBounds() const {
+    Bounds all = bounds_[0];
+    for (const Bounds& bounds : bounds_) all.take(bounds);
+    return all;
 }
 
 // A pin that the application has moved moves to its new position at constant velocity during the substep.
@@ -262,7 +258,10 @@ void SmallStepSheet::beginPin(const btSoftBody::Node& node, std::size_t n) {
 }
 
 int SmallStepSheet::wantedSteps(const SheetMechanics& mechanics, double stretchTolerance) const {
-    double longest = longestBendingStep(mechanics);
+    // Four steps in a substep of 1/60 s, however that is rounded. In longer substeps coarse cloth, which needs
+    // no more than that, would otherwise be softer, and would fall a little at each.
+    constexpr double longestOfAll = 0.0042;  // s
+    double longest = std::min(longestBendingStep(mechanics), longestOfAll);
     if (gravity_ > 0 && meanLink_ > 0) {
         double stretchRatio = 0;
         for (const double ratio : mechanics.stretchRatios) stretchRatio += ratio / double(count_);
@@ -291,7 +290,7 @@ double SmallStepSheet::longestBendingStep(const SheetMechanics& mechanics) const
 
 // Number of small steps for which moments may be kept, such that the stiffest bending mode is stable where
 // the cloth is stiffest and lightest.
-int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, int steps) const {
+int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, double step) const {
     double stiffest = 0, lightest = std::numeric_limits<double>::infinity();
     for (std::size_t n = 0; n < count_; ++n) {
         if (!(mechanics.mesh.areas[n] > 0)) continue;
@@ -303,15 +302,34 @@ int SmallStepSheet::stepsBetweenPlates(const SheetMechanics& mechanics, int step
     // w is stable up to (w T)^2 = 2.
     constexpr double stable = 1.3, max = 8;
     const double longest = std::sqrt(stable * lightest / (stiffest * stiffestPlates_));
-    return static_cast<int>(std::clamp(longest * steps / substep_, 1.0, max));
+    return static_cast<int>(std::clamp(longest / step, 1.0, max));
+}
+
+// The step for which the cloth has its stiffness: the longest in the last seconds. It follows a longer step at
+// once, because the cloth would be too stiff for it. It follows shorter ones late and slowly: cloth that becomes
+// stiffer while it is stretched gains energy, and cloth whose stiffness goes up and down never rests.
+void SmallStepSheet::renewLongestStep() {
+    constexpr double window = 4, halfLife = 1;  // s
+    sinceWindow_ += substep_;
+    if (sinceWindow_ > window) {
+        longestBefore_ = longestInWindow_;
+        longestInWindow_ = sinceWindow_ = 0;
+    }
+    longestInWindow_ = std::max(longestInWindow_, smallStep_);
+    longestStep_ =
+        std::max({longestInWindow_, longestBefore_, longestStep_ * std::exp2(-substep_ / halfLife)});
 }
 
 void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
     smallStep_ = substep_ / steps;
-    platesEvery_ = stepsBetweenPlates(mechanics, steps);
+    renewLongestStep();
+    fraction_ = float(smallStep_ / longestStep_);
+    platesEvery_ = stepsBetweenPlates(mechanics, longestStep_);
+    renewEvery_ = static_cast<int>(platesEvery_ / double(fraction_));
     step_ = 0;
     keep_ = float(std::exp(-damping_ * smallStep_));
-    const auto h = float(smallStep_), squared = float(smallStep_ * smallStep_);
+    const auto h = float(smallStep_), longest = float(longestStep_),
+               squared = float(longestStep_ * longestStep_);
     for (std::size_t n = 0; n < count_; ++n) {
         const MovingNode &v = velocity_[n], &a = acceleration_[n];
         const float inverseMass = start_[n].inverseMass;
@@ -321,31 +339,45 @@ void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
         steps_[n] = {v.x * h, v.y * h, v.z * h, 0};
         push_[n] = {a.x * squared + v.x * feed, a.y * squared + v.y * feed, a.z * squared + v.z * feed, 0};
     }
-    moved_[count_] = push_[count_] = {0, 0, 0, 0};  // the spare node must not accumulate anything
+    moved_[count_] = push_[count_] =
+        ahead_[count_] = {0, 0, 0, 0};  // the spare node must not accumulate anything
     kernels_.prepareLinks(links_.data(), dryStiffness_.data(), start_.data(), ratios_.data(), squared,
                           links_.size());
     kernels_.preparePlates(push_.data(), plates_.data(), plateStates_.data(), plateWeights_.data(),
-                           plateLaws_, start_.data(), ratios_.data(), {h, float(platesEvery_)},
+                           plateLaws_, start_.data(), ratios_.data(), {longest, float(platesEvery_)},
                            plates_.size());
 }
 
+// A step shorter than the longest one gets that fraction of the impulses of the longest one, which the cloth
+// finds from where its nodes would be after that one. So it is equally stiff in steps of any length, and hangs
+// equally low. (An impulse found at the end of the shorter step would make it stiffer: links that one sweep
+// does not resolve are as stiff as m / h^2, and their stiffness would change with h.)
 void SmallStepSheet::advance() {
-    if (step_++ % platesEvery_ == 0 && platesEvery_ > 1) renewMoments();
+    if (step_++ % renewEvery_ == 0 && platesEvery_ > 1) renewMoments();
     const auto& push = platesEvery_ > 1 ? pushAndMoments_ : push_;
-    kernels_.advance(moved_.data(), predicted_.data(), steps_.data(), push.data(), keep_, count_);
+    if (fraction_ < 1)
+        kernels_.advanceByFraction(arrays(), push.data(), keep_, fraction_, count_);
+    else
+        kernels_.advance(moved_.data(), predicted_.data(), steps_.data(), push.data(), keep_, count_);
+}
+
+StepArrays SmallStepSheet::arrays() {
+    return {moved_.data(), predicted_.data(), steps_.data(), ahead_.data(), expected_.data()};
 }
 
 void SmallStepSheet::solveCloth() {
+    std::vector<MovingNode>& nodes = fraction_ < 1 ? ahead_ : moved_;
     if (platesEvery_ == 1)
-        kernels_.solvePlates(moved_.data(), moved_.data(), plates_.data(), plateWeights_.data(),
+        kernels_.solvePlates(nodes.data(), nodes.data(), plates_.data(), plateWeights_.data(),
                              plates_.size());
-    kernels_.solveLinks(moved_.data(), links_.data(), links_.size());
+    kernels_.solveLinks(nodes.data(), links_.data(), links_.size());
+    if (fraction_ < 1) kernels_.correctByFraction(arrays(), fraction_, count_);
 }
 
 // Moments that are kept for several steps are extrapolated to the end of that interval: late moments would
 // excite vibrations. They act in every step, because impulses at intervals would excite the links.
 void SmallStepSheet::renewMoments() {
-    const auto ahead = float(platesEvery_);
+    const float ahead = float(platesEvery_) / fraction_;
     for (std::size_t n = 0; n < count_; ++n) {
         const MovingNode &now = moved_[n], &before = predicted_[n], &step = steps_[n];
         ahead_[n] = {now.x + ahead * (step.x + (now.x - before.x)),
@@ -355,6 +387,12 @@ void SmallStepSheet::renewMoments() {
     std::copy(push_.begin(), push_.end(), pushAndMoments_.begin());
     kernels_.solvePlates(pushAndMoments_.data(), ahead_.data(), plates_.data(), plateWeights_.data(),
                          plates_.size());
+}
+
+// Under a constant force both leave the same gap.
+double SmallStepSheet::fractionOf(double ofLongest) const {
+    const double squared = double(fraction_) * double(fraction_), closed = ofLongest * squared;
+    return fraction_ < 1 && ofLongest > 0 ? closed / (closed + 1 - ofLongest) : ofLongest;
 }
 
 void SmallStepSheet::place(std::size_t node, const btVector3& by) {

@@ -8,30 +8,12 @@
 
 #include "bullet/sheet/sheet_mechanics.h"
 #include "bullet/simd/small_step_kernels.h"
+#include "bullet/world/bounds.h"
 #include "bullet/world/vectors.h"
 #include "drench/config.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
-
-// An axis-aligned box in world coordinates, m.
-struct Bounds {
-    btVector3 low, high;
-
-    void grow(btScalar by) {
-        low -= btVector3(by, by, by);
-        high += btVector3(by, by, by);
-    }
-    void take(const btVector3& point) {
-        low.setMin(point);
-        high.setMax(point);
-    }
-    bool meets(const Bounds& other) const {
-        for (int axis = 0; axis < 3; ++axis)
-            if (high[axis] < other.low[axis] || low[axis] > other.high[axis]) return false;
-        return true;
-    }
-};
 
 class BulletPass;
 
@@ -51,6 +33,15 @@ class SmallStepSheet {
     // The parts of each small step, in this order.
     void advance();
     void solveCloth();
+
+    // Whether the application has moved nothing but pins since the last substep.
+    bool isWhereItWas(const btSoftBody& body) const;
+    // Whether the application has moved all nodes but pins since the last substep, to put the sheet elsewhere.
+    bool isElsewhere(const btSoftBody& body) const;
+    // Forgets where the pins were, so that they have not moved.
+    void forgetPins() { end_.clear(); }
+    // Moves the body as a rigid displacement from one pose to another does, pins included.
+    void carry(btSoftBody& body, const btTransform& from, const btTransform& to);
 
     // Writes positions and velocities to the body.
     // @return -1 if all are valid; otherwise the first node with an invalid position. The body is then reset
@@ -77,9 +68,13 @@ class SmallStepSheet {
     // Bounds of the present and possible positions of each group of nodesOfBounds consecutive nodes.
     static constexpr std::size_t nodesOfBounds = 32;
     const std::vector<Bounds>& bounds() const { return bounds_; }
-    // The longest of these displacements, m.
-    btScalar farthestReach() const { return farthestReach_; }
+    Bounds allBounds() const;
+    // The largest difference of these displacements from their mean, m. Neighbours may pull a node so much farther
+    // than it would move by itself.
+    btScalar farthestPull() const { return farthestPull_; }
     double smallStep() const { return smallStep_; }
+    // The fraction of a gap that a spring closes in a small step, if it closes the given one in the longest.
+    double fractionOf(double ofLongest) const;
 
   private:
     friend class BulletPass;
@@ -89,8 +84,9 @@ class SmallStepSheet {
     void packPlates(const SheetMechanics& mechanics);
     double arealDensity(const SheetMechanics& mechanics) const;
     double longestBendingStep(const SheetMechanics& mechanics) const;
-    int stepsBetweenPlates(const SheetMechanics& mechanics, int steps) const;
-    bool isWhereItWas(const btSoftBody& body) const;
+    int stepsBetweenPlates(const SheetMechanics& mechanics, double step) const;
+    void renewLongestStep();
+    StepArrays arrays();
     void renewMoments();
     int firstLost() const;
     void boundNodes(const btSoftBody& body);
@@ -101,11 +97,17 @@ class SmallStepSheet {
     std::size_t count_;            // number of nodes of the body; the arrays have one more, the spare node
     double substep_ = 0;           // s
     double smallStep_ = 0;         // s
+    double longestStep_ = 0;       // small step for which the cloth has its stiffness, s
+    double longestInWindow_ = 0;   // longest small step since the present window of time began, s
+    double longestBefore_ = 0;     // and in the window before it, s
+    double sinceWindow_ = 0;       // time since the window began, s
+    float fraction_ = 1;           // ratio of the small step to the longest one
     double damping_ = 0;           // 1/s
     double gravity_ = 0;           // m/s2
     btScalar farthestMotion_ = 0;  // largest displacement per axis in a substep, m
     int step_ = 0;                 // index of the next small step
-    int platesEvery_ = 1;          // number of small steps between evaluations of plates
+    int platesEvery_ = 1;          // number of longest small steps between evaluations of plates
+    int renewEvery_ = 1;           // number of small steps in that time
     float keep_ = 1;               // fraction of the velocity that a step keeps
 
     btVector3 origin_ = btVector3(0, 0, 0);  // of start_, m
@@ -114,7 +116,7 @@ class SmallStepSheet {
     std::vector<MovingNode> acceleration_;   // of gravity and forces, m/s2
     std::vector<MovingNode> reach_;          // m
     std::vector<Bounds> bounds_;
-    btScalar farthestReach_ = 0;  // m
+    btScalar farthestPull_ = 0;  // m
     std::vector<NodeRatios> ratios_;
     std::vector<btVector3> end_;  // positions at the end of the last substep, m; empty at first
     std::vector<std::array<int, 3>> triangles_;
@@ -124,7 +126,8 @@ class SmallStepSheet {
     std::vector<MovingNode> steps_;           // displacement per small step, m
     std::vector<MovingNode> push_;            // m per small step
     std::vector<MovingNode> pushAndMoments_;  // the same with moments of plates that are kept
-    std::vector<MovingNode> ahead_;           // predicted positions at the end of that interval
+    std::vector<MovingNode> ahead_;           // predicted positions at the end of that interval, or step
+    std::vector<MovingNode> expected_;        // ahead_ before corrections
 
     std::vector<LinkBlock> links_;
     std::vector<float> dryStiffness_;  // N/m, eight for each block

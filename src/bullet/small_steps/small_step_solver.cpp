@@ -1,6 +1,7 @@
 #include "drench/small_step_solver.h"
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <BulletSoftBody/btSoftBody.h>
 #include <LinearMath/btAabbUtil2.h>
@@ -11,6 +12,7 @@
 #include "bullet/contact/solids.h"
 #include "bullet/sheet/face_tree.h"
 #include "bullet/sheet/sheet_mechanics.h"
+#include "bullet/small_steps/mesh_pairs.h"
 #include "bullet/small_steps/moving_sheet.h"
 #include "bullet/small_steps/soft_contacts.h"
 #include "bullet/world/body_watch.h"
@@ -19,6 +21,12 @@
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
+
+// A solid that moves in this substep.
+struct Mover {
+    Bounds reported;  // around the pose at which Bullet's collision detection finds it
+    Bounds swept;     // around its whole path
+};
 
 namespace {
 
@@ -44,6 +52,10 @@ SheetMechanics* movedHere(btSoftBody& body) {
     return hasBegun && mechanics->moving->nodes == &body.m_nodes[0] ? mechanics : nullptr;
 }
 
+bool isMovedHere(btSoftBody& body) {
+    return movedHere(body) != nullptr;
+}
+
 // Whether the application has changed the topology of a body since then.
 bool isCut(btSoftBody& body) {
     const SheetMechanics* const mechanics = BodyWatch::mechanicsOf(body);
@@ -59,51 +71,71 @@ void writeStepState(btSoftBody& body, btScalar substep) {
     body.m_sst.updmrg = body.m_sst.radmrg * btScalar(0.25);
 }
 
-// Widens the bounds of a sheet by fast approaching solids. Bullet knows only their present positions, and
-// would report them only once they are inside.
-class SolidsToCome final : public btBroadphaseAabbCallback {
+Bounds boundsAt(const btCollisionObject& object, const btTransform& pose) {
+    Bounds bounds;
+    object.getCollisionShape()->getAabb(pose, bounds.low, bounds.high);
+    return bounds;
+}
+
+// Finds the solids that Bullet is about to move.
+class MoversSearch final : public btBroadphaseAabbCallback {
   public:
-    SolidsToCome(btVector3& low, btVector3& high, btScalar substep)
-        : low_(low), high_(high), substep_(substep) {}
+    MoversSearch(std::vector<Mover>& movers, btScalar substep) : movers_(movers), substep_(substep) {}
 
     bool process(const btBroadphaseProxy* proxy) override {
-        const auto* const object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-        const btRigidBody* const body = movingBody(*object);
-        if (!body) return true;
-        const btVector3 motion = body->getLinearVelocity() * substep_;
-        btVector3 from = proxy->m_aabbMin + motion, to = proxy->m_aabbMax + motion;
-        from.setMin(proxy->m_aabbMin);
-        to.setMax(proxy->m_aabbMax);
-        if (!TestAabbAgainstAabb2(from, to, low_, high_)) return true;
-        low_.setMin(proxy->m_aabbMax);
-        high_.setMax(proxy->m_aabbMin);
+        const auto& object = *static_cast<const btCollisionObject*>(proxy->m_clientObject);
+        if (!movesInStep(object)) return true;
+        const Twist motion = velocitiesOf(object) * substep_;
+        if (motion.isZero()) return true;
+        const Bounds now = boundsAt(object, object.getWorldTransform());
+        Bounds swept = now;
+        swept.take({now.low + motion.linear, now.high + motion.linear});
+        swept.grow(std::min(motion.angular.length(), btScalar(2)) * now.halfDiagonal());
+        movers_.push_back({now, swept});
         return true;
     }
 
   private:
-    btVector3& low_;
-    btVector3& high_;
+    std::vector<Mover>& movers_;
     btScalar substep_;
 };
 
+// Widens the bounds of a sheet so that Bullet reports a solid that comes to it. Bullet knows only the present
+// position, and would report it only once it is inside.
+void widen(Bounds& bounds, const Mover& mover) {
+    if (!mover.swept.meets(bounds)) return;
+    bounds.low.setMin(mover.reported.high);
+    bounds.high.setMax(mover.reported.low);
+}
+
 // Broadphase bounds around the present and possible positions of the nodes.
-void writeBounds(btSoftBody& body, const SmallStepSheet& cloth) {
-    Bounds all = cloth.bounds()[0];
-    for (const Bounds& bounds : cloth.bounds()) {
-        all.take(bounds.low);
-        all.take(bounds.high);
-    }
+void writeBounds(btSoftBody& body, const SheetMechanics& mechanics, const std::vector<Mover>& movers) {
+    Bounds all = mechanics.moving->cloth.allBounds();
     all.grow(2 * body.getCollisionShape()->getMargin());
+    for (const Mover& mover : movers) widen(all, mover);
+    mechanics.near.forEachMoving([&](const btCollisionObject& object, const SolidPath& path) {
+        Bounds swept = boundsAt(object, path.start);
+        const Bounds end = boundsAt(object, path.end);
+        swept.take(end);
+        swept.grow(path.motion().angular.length() * end.halfDiagonal());
+        widen(all, {boundsAt(object, object.getWorldTransform()), swept});
+    });
     body.m_bounds[0] = all.low;
     body.m_bounds[1] = all.high;
-    if (!body.getBroadphaseHandle()) return;
-    btBroadphaseInterface& broadphase = *body.m_worldInfo->m_broadphase;
-    constexpr auto everywhere = btScalar(1e18);
-    SolidsToCome solids(body.m_bounds[0], body.m_bounds[1], body.m_sst.sdt);
-    broadphase.aabbTest({-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere},
-                        solids);
-    broadphase.setAabb(body.getBroadphaseHandle(), body.m_bounds[0], body.m_bounds[1],
-                       body.m_worldInfo->m_dispatcher);
+    if (body.getBroadphaseHandle())
+        body.m_worldInfo->m_broadphase->setAabb(body.getBroadphaseHandle(), all.low, all.high,
+                                                body.m_worldInfo->m_dispatcher);
+}
+
+// Carries a sheet along that is anchored to a solid that has jumped.
+void followJump(btSoftBody& body, SmallStepSheet& cloth, const SheetMechanics& mechanics, double substep) {
+    for (int i = 0; i < body.m_anchors.size(); ++i) {
+        const SolidPath* const jump = mechanics.near.jumpOf(*body.m_anchors[i].m_body);
+        if (!jump || !cloth.isWhereItWas(body)) continue;
+        cloth.carry(body, jump->start, jump->end);
+        cloth.begin(body, mechanics, substep);
+        return;
+    }
 }
 
 // Bullet also reports solids that were near earlier, for an arbitrary time.
@@ -125,15 +157,19 @@ struct SmallStepSolver::State {
         MovingSheet* sheet;
     };
 
+    void findMovers(btSoftBody& body, btScalar substep);
     void predict(btSoftBody& body, SheetMechanics& mechanics, btScalar substep);
     int chooseSteps() const;
     void begin(btScalar substep);
+    void beginSheet(const Solving& each);
     void smallStep(double smallStepOfWorld);
     void finish(btScalar substep);
     // Adds up computing time that sheets share.
     void share(double StepTimes::*stage, double seconds);
 
     const SmallStepSettings settings;
+    std::vector<Mover> movers;
+    MeshPairs meshPairs{isMovedHere};
     Solids solids;
     SoftContacts softContacts;
     std::vector<Solving> sheets;  // during a solve
@@ -159,17 +195,30 @@ const char* SmallStepSolver::kernels() const {
 }
 
 void SmallStepSolver::predictMotion(btScalar substep) {
-    state_->solids.clear();
     state_->softContacts.clear();
+    const btSoftBody* first = nullptr;  // of those moved here
     for (int i = 0; i < m_softBodySet.size(); ++i) {
         btSoftBody& body = *m_softBodySet[i];
         state_->softContacts.remember(body);
         if (!body.isActive()) continue;
-        if (SheetMechanics* const mechanics = mechanicsOf(body))
-            state_->predict(body, *mechanics, substep);
-        else
+        SheetMechanics* const mechanics = mechanicsOf(body);
+        if (!mechanics) {
             body.predictMotion(substep);
+            continue;
+        }
+        if (!first) state_->findMovers(body, substep);
+        if (!first) first = &body;
+        state_->predict(body, *mechanics, substep);
     }
+    if (first) state_->meshPairs.update(*first->m_worldInfo->m_broadphase, *first->m_worldInfo->m_dispatcher);
+}
+
+void SmallStepSolver::State::findMovers(btSoftBody& body, btScalar substep) {
+    movers.clear();
+    constexpr auto everywhere = btScalar(1e18);
+    MoversSearch search(movers, substep);
+    body.m_worldInfo->m_broadphase->aabbTest({-everywhere, -everywhere, -everywhere},
+                                             {everywhere, everywhere, everywhere}, search);
 }
 
 void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics, btScalar substep) {
@@ -182,11 +231,18 @@ void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics
     StopWatch watch;
     writeStepState(body, substep);
     if (body.m_cfg.kPR != 0 || body.m_cfg.kVC > 0) body.applyForces();
-    sheet.cloth.begin(body, mechanics, double(body.m_sst.sdt));
+    const double substepOfBody = double(body.m_sst.sdt);
+    const bool hasJumped = mechanics.hasJumped || sheet.cloth.isElsewhere(body);
+    mechanics.hasJumped = false;
+    if (hasJumped) sheet.cloth.forgetPins();
+    sheet.cloth.begin(body, mechanics, substepOfBody);
+    mechanics.near.begin(body, sheet.cloth.allBounds(), double(substep), hasJumped);
+    followJump(body, sheet.cloth, mechanics, substepOfBody);
+    sheet.anchors.find(body, mechanics.near);
     sheet.contacts.clear();
     while (body.m_rcontacts.size() > 0) body.m_rcontacts.pop_back();
     body.m_scontacts.resize(0);
-    writeBounds(body, sheet.cloth);
+    writeBounds(body, mechanics, movers);
     if (!body.m_fdbvt.empty()) prepareFaceTree(body, sheet.cloth);
     mechanics.times.solver += watch.lap();
 }
@@ -197,11 +253,7 @@ void SmallStepSolver::processCollision(btSoftBody* body, const btCollisionObject
     using Collision = btSoftBody::fCollision;
     if ((body->m_cfg.collisions & Collision::RVSmask) != Collision::SDF_RS || !body->isActive()) return;
     if (!areNear(*body, *solid->getCollisionObject())) return;
-    MovingSheet& sheet = *mechanics->moving;
-    StopWatch watch;
-    sheet.contacts.find(*body, sheet.cloth, mechanics->sheetFriction, *solid, double(body->m_sst.sdt),
-                        state_->solids);
-    mechanics->times.contacts += watch.lap();
+    mechanics->moving->contacts.meet(*solid->getCollisionObject());
 }
 
 void SmallStepSolver::processCollision(btSoftBody* body, btSoftBody* other) {
@@ -269,8 +321,13 @@ int SmallStepSolver::State::chooseSteps() const {
 
 void SmallStepSolver::State::begin(btScalar substep) {
     StopWatch watch;
-    for (const Solving& each : sheets) each.sheet->anchors.find(*each.body, solids);
+    solids.clear();
+    for (const Solving& each : sheets) {
+        each.sheet->contacts.addSolids(*each.body, each.mechanics->sheetFriction, each.mechanics->near, solids);
+        each.sheet->anchors.addSolids(*each.body, each.mechanics->near, solids);
+    }
     solids.begin(double(substep));
+    share(&StepTimes::contacts, watch.lap());
     softSheets.clear();
     for (const Solving& each : sheets) {
         each.sheet->cloth.divide(*each.mechanics, steps);
@@ -279,14 +336,19 @@ void SmallStepSolver::State::begin(btScalar substep) {
     share(&StepTimes::solver, watch.lap());
     softContacts.begin(softSheets, double(substep), steps);
     share(&StepTimes::contacts, watch.lap());
-    for (const Solving& each : sheets) {
-        each.sheet->contacts.begin(*each.body, each.sheet->cloth, solids);
-        each.sheet->anchors.begin(*each.body, each.sheet->cloth, solids);
-        if (settings.tethers)
-            each.sheet->tethers.begin(*each.body, *each.mechanics, settings.stretchTolerance);
-    }
+    for (const Solving& each : sheets) beginSheet(each);
+    watch.lap();
     softContacts.allowOverlap();
-    share(&StepTimes::solver, watch.lap());
+    share(&StepTimes::contacts, watch.lap());
+}
+
+void SmallStepSolver::State::beginSheet(const Solving& each) {
+    StopWatch watch;
+    each.sheet->contacts.begin(*each.body, each.sheet->cloth, each.mechanics->sheetFriction, solids);
+    each.mechanics->times.contacts += watch.lap();
+    each.sheet->anchors.begin(*each.body, each.sheet->cloth, solids);
+    if (settings.tethers) each.sheet->tethers.begin(*each.body, *each.mechanics, settings.stretchTolerance);
+    each.mechanics->times.solver += watch.lap();
 }
 
 void SmallStepSolver::State::smallStep(double smallStepOfWorld) {

@@ -34,7 +34,7 @@ btVector3 sideInPlane(const btVector3& normal, const btSoftBody& owner, const bt
 
 // Neighbours may pull a node farther than it would move by itself.
 btScalar pulled(const SmallStepSheet& cloth) {
-    return cloth.farthestReach() / 2;
+    return cloth.farthestPull();
 }
 
 btDbvtVolume swept(const btVector3& from, const btVector3& to, btScalar around) {

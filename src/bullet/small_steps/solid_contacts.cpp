@@ -1,13 +1,13 @@
 #include "bullet/small_steps/solid_contacts.h"
 
+#include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "bullet/contact/contact_law.h"
 #include "bullet/contact/flat_neighbours.h"
-#include "bullet/contact/solid_distance.h"
 #include "bullet/sheet/rest_shape.h"
 
 namespace drench {
@@ -15,326 +15,470 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// Largest distance by which the solid itself may approach a node within the substep.
-btVector3 ownMotion(const btCollisionObject& object, const btVector3& point, double substep) {
-    const btRigidBody* const body = movingBody(object);
-    if (!body) return {0, 0, 0};
-    return body->getVelocityInLocalPoint(point - body->getCenterOfMassPosition()) * btScalar(substep);
+// Distance of the surroundings that are searched from a node that stays where it is, in margins.
+constexpr auto slack = btScalar(1.5);
+
+constexpr std::size_t notKept = std::numeric_limits<std::size_t>::max();
+
+// Of a path that turns around the origin by an angle: its largest distance from its chord, m.
+btScalar sagitta(btScalar farthest, btScalar angle) {
+    return angle > 0 ? farthest * (1 - btCos(std::min(angle, SIMD_PI) / 2)) : 0;
 }
+
+btVector3 vector(const float (&of)[3]) {
+    return {btScalar(of[0]), btScalar(of[1]), btScalar(of[2])};
+}
+
+// Whether a proxy of that number is still in the broadphase, with that object.
+class ProxySearch final : public btBroadphaseAabbCallback {
+  public:
+    ProxySearch(const btCollisionObject* object, int number) : object_(object), number_(number) {}
+
+    bool process(const btBroadphaseProxy* proxy) override {
+        found_ = found_ || (proxy->m_clientObject == object_ && proxy->m_uniqueId == number_);
+        return true;
+    }
+    bool found() const { return found_; }
+
+  private:
+    const btCollisionObject* object_;
+    int number_;
+    bool found_ = false;
+};
 
 }  // namespace
 
 void SolidContacts::clear() {
+    met_.clear();
+    touching_.clear();
+    nodes_.clear();
     contacts_.clear();
-    solidPoints_.clear();
-    mesh_ = nullptr;
 }
 
-// A solid, or a part of one, around which nodes are searched.
-struct SolidContacts::Touching {
-    const btCollisionObject& object;
-    const btCollisionShape& shape;
-    const btTransform& transform;  // of the shape
-    btTransform shapeInSolid;
-    bool isTriangle;
-    std::size_t solid;  // index
-    Bounds bounds;
-    btScalar margin;
-    const Friction& sheetFriction;
-    Surface surface;
-    double substep;
+void SolidContacts::meet(const btCollisionObject& object) {
+    // Bullet reports meshes once for each triangle.
+    const auto isSame = [&](const Met& met) { return met.object == &object; };
+    if (!object.hasContactResponse() || !object.getBroadphaseHandle()) return;
+    if (std::any_of(met_.rbegin(), met_.rend(), isSame)) return;
+    met_.push_back({&object, object.getBroadphaseHandle()->m_uniqueId, object.getWorldTransform()});
+}
+
+bool SolidContacts::isThere(const btSoftBody& body, const Met& met) const {
+    ProxySearch search(met.object, met.number);
+    body.m_worldInfo->m_broadphase->aabbTest(body.m_bounds[0], body.m_bounds[1], search);
+    return search.found();
+}
+
+void SolidContacts::addSolids(const btSoftBody& body, const Friction& sheetFriction, const NearSolids& near,
+                              Solids& solids) {
+    met_.erase(std::remove_if(met_.begin(), met_.end(),
+                              [&](const Met& met) { return !isThere(body, met); }),
+               met_.end());
+    // Bullet reports solids in the order in which they first met, which is unknown to restored sheets.
+    std::sort(met_.begin(), met_.end(), [](const Met& a, const Met& b) {
+        return a.object->getWorldArrayIndex() < b.object->getWorldArrayIndex();
+    });
+    for (const Met& met : met_) {
+        const SolidPath path = movesInStep(*met.object) ? SolidPath{met.start, met.object->getWorldTransform()}
+                                                        : near.pathOf(*met.object);
+        // Bullet passes solids as const, although they may be pushed.
+        auto& object = *const_cast<btCollisionObject*>(met.object);
+        touching_.push_back({solids.add(object, path), sheetFriction.surfaceAt(object, body.m_cfg.kDF)});
+    }
+}
+
+void SolidContacts::begin(btSoftBody& body, SmallStepSheet& sheet, const Friction& sheetFriction,
+                          const Solids& solids) {
+    body_ = &body;
+    sheetFriction_ = &sheetFriction;
+    margin_ = body.getCollisionShape()->getMargin();
+    reach_ = btScalar(sheetFriction.reach());
+    parts_.clear();
+    candidates_.clear();
+    startPoses_.clear();
+    for (std::size_t i = 0; i < touching_.size(); ++i) {
+        const Solid& solid = solids[touching_[i].solid];
+        startPoses_.push_back(solid.path().start);
+        find(sheet, solid, i);
+    }
+    gatherNodes();
+    for (NodeContacts& of : nodes_) {
+        const btVector3& start = body.m_nodes[static_cast<int>(of.node)].m_x;
+        sights_.clear();
+        for (std::size_t i = 0; i < of.candidates; ++i) {
+            const Candidate& candidate = candidates_[of.firstCandidate + i];
+            sights_.push_back(
+                {of.firstCandidate + i, candidate.distance, candidate.normal, candidate.reach});
+        }
+        choose(of, start, startPoses_);
+        writeContacts(of, start, startPoses_, sheet, solids);
+        lift(sheet, of, solids);
+    }
+}
+
+// A solid, and how far its surroundings are searched.
+struct SolidContacts::Search {
+    const SmallStepSheet& sheet;
+    const Solid& solid;
+    std::size_t touching;
+    Bounds bounds;  // of the shape, in the coordinates of the solid
+    btScalar turn;  // angle by which the solid turns in the substep, rad
+    // How much farther than by its velocity a node may get, because others pull it, m.
+    btScalar pull;
 };
 
-void SolidContacts::find(btSoftBody& body, const SmallStepSheet& sheet, const Friction& sheetFriction,
-                         const btCollisionObjectWrapper& solid, double substep, Solids& solids) {
-    const btCollisionObject& object = *solid.getCollisionObject();
-    if (!object.hasContactResponse()) return;
-    const btCollisionShape& shape = *solid.getCollisionShape();
-    const btTransform& transform = solid.getWorldTransform();
-    Touching with{object,
-                  shape,
-                  transform,
-                  object.getWorldTransform().inverseTimes(transform),
-                  isTriangleOfMesh(solid),
-                  solids.indexOf(object),
-                  {},
-                  body.getCollisionShape()->getMargin(),
-                  sheetFriction,
-                  sheetFriction.surfaceAt(object, body.m_cfg.kDF),
-                  substep};
-    reach_ = btScalar(sheetFriction.reach());
-    shape.getAabb(transform, with.bounds.low, with.bounds.high);
-    const btVector3 centre = (with.bounds.low + with.bounds.high) / 2;
-    with.bounds.grow(2 * with.margin + (sheetFriction.canAdhere() ? reach_ : 0) +
-                     ownMotion(object, centre, substep).length() + sheet.farthestReach());
-    if (with.isTriangle && mesh_ != &object) {
-        mesh_ = &object;
-        meshContacts_.assign(sheet.size(), {-1, -1, -1, -1, -1, -1});
-    }
-
-    for (std::size_t part = 0; part < sheet.bounds().size(); ++part) {
-        if (!with.bounds.meets(sheet.bounds()[part])) continue;
-        const std::size_t first = part * SmallStepSheet::nodesOfBounds;
+void SolidContacts::find(const SmallStepSheet& sheet, const Solid& solid, std::size_t touching) {
+    const btCollisionShape& shape = *solid.object().getCollisionShape();
+    Search search = {sheet, solid, touching, {}, solid.path().motion().angular.length(), sheet.farthestPull()};
+    shape.getAabb(btTransform::getIdentity(), search.bounds.low, search.bounds.high);
+    const btScalar around = slack * margin_ + search.pull + (sheetFriction_->canAdhere() ? reach_ : 0);
+    if (shape.isConvex()) gather(shape, search.bounds);
+    for (std::size_t group = 0; group < sheet.bounds().size(); ++group) {
+        const Bounds& nodes = sheet.bounds()[group];
+        Bounds path = nodes.seenFrom(solid.path().start);
+        if (solid.path().isMoving()) path.take(nodes.seenFrom(solid.path().end));
+        path.grow(around + sagitta(std::max(path.low.length(), path.high.length()), search.turn));
+        if (!path.meets(search.bounds)) continue;
+        if (!shape.isConvex()) gather(shape, path);
+        const std::size_t first = group * SmallStepSheet::nodesOfBounds;
         const std::size_t end = std::min(first + SmallStepSheet::nodesOfBounds, sheet.size());
-        for (std::size_t n = first; n < end; ++n) findNode(body, sheet, n, with);
+        for (std::size_t n = first; n < end; ++n) findNode(search, n);
     }
 }
 
-void SolidContacts::findNode(btSoftBody& body, const SmallStepSheet& sheet, std::size_t n,
-                             const Touching& with) {
-    const btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-    const btVector3 reach = vectorOf(sheet.reach(n));
-    Bounds path{node.m_x, node.m_x};
-    path.take(node.m_x + reach);
-    if (!with.bounds.meets(path) || !(node.m_im > 0) || node.m_battach) return;
-    const SurfacePoint surface =
-        with.isTriangle ? nearestOnTriangle(with.shape, with.transform, node.m_x)
-                        : nearestSurface(with.shape, with.transform, node.m_x, body.m_worldInfo->m_sparsesdf);
-    // Neighbouring nodes may pull a node farther than it would move by itself.
-    const btVector3 approach = reach - ownMotion(with.object, node.m_x, with.substep);
-    const bool adheres = with.sheetFriction.adheresTo[n] == &with.object;
-    const btScalar slack =
-        with.margin + std::max(approach.length(), sheet.farthestReach() / 2) + (adheres ? reach_ : 0);
-    if (surface.distance > with.margin + slack + std::max(btScalar(0), -approach.dot(surface.normal))) return;
-
-    const SolidPoint solidPoint{with.solid,
-                                &with.shape,
-                                with.isTriangle,
-                                with.shapeInSolid,
-                                node.m_x - surface.normal * surface.distance,
-                                surface.normal,
-                                btVector3(0, 0, 0),
-                                0,
-                                surface.distance,
-                                true};
-    const std::size_t at = with.isTriangle ? indexOnMesh(n, solidPoint, node.m_x) : contacts_.size();
-    if (at == contacts_.size()) {
-        const double adhesion = with.sheetFriction.adhesion(with.surface, n);
-        contacts_.push_back({static_cast<int>(n),
-                             {},
-                             0,
-                             float(with.sheetFriction.friction(with.surface, n)),
-                             float(adhesion),
-                             adheres && adhesion > 0,
-                             false});
-        solidPoints_.push_back(solidPoint);
-    } else if (at < contacts_.size()) {
-        solidPoints_[at] = solidPoint;
-    }
+void SolidContacts::gather(const btCollisionShape& shape, const Bounds& box) {
+    gathered_.clear();
+    addParts(gathered_, shape, btTransform::getIdentity(), box);
+    rows_.assign(gathered_, box);
+    keptAs_.assign(gathered_.size(), notKept);
 }
 
-std::size_t SolidContacts::indexOnMesh(std::size_t n, const SolidPoint& solidPoint, const btVector3& start) {
-    const std::size_t nowhere = contacts_.size() + 1;
-    const btTransform& solid = mesh_->getWorldTransform();
-    const auto directionOf = [&](const SolidPoint& of) {
-        return normalOfTriangle(*of.shape, solid * of.shapeInSolid, start);
-    };
-    const btVector3 direction = directionOf(solidPoint);
-    std::size_t farthest = nowhere;
-    for (int& known : meshContacts_[n]) {
-        if (known < 0) {
-            known = static_cast<int>(contacts_.size());
-            return contacts_.size();
+void SolidContacts::findNode(const Search& search, std::size_t n) {
+    const btSoftBody::Node& node = body_->m_nodes[static_cast<int>(n)];
+    if (!(node.m_im > 0) || node.m_battach) return;
+    const SolidPath& path = search.solid.path();
+    const btVector3 from = path.start.invXform(node.m_x);
+    const btVector3 to = path.end.invXform(node.m_x + vectorOf(search.sheet.reach(n)));
+    Bounds way = {from, from};
+    way.take(to);
+    const bool adheres = sheetFriction_->adheresTo[n] == &search.solid.object();
+    const btScalar around = slack * margin_ + search.pull + (adheres ? reach_ : 0) +
+                            sagitta(std::max(from.length(), to.length()), search.turn);
+    way.grow(around);
+    if (!way.meets(search.bounds)) return;
+    const btScalar reach = (to - from).length();
+    rows_.forEach(way, [&](std::size_t i) {
+        const SurfacePoint surface = nearestOn(gathered_[i], from, body_->m_worldInfo->m_sparsesdf);
+        if (!(surface.distance <= around + reach)) return;
+        if (keptAs_[i] == notKept) {
+            keptAs_[i] = parts_.size();
+            parts_.push_back(gathered_[i]);
         }
-        const auto at = static_cast<std::size_t>(known);
-        if (faceAlike(directionOf(solidPoints_[at]), direction))
-            return solidPoints_[at].distance > solidPoint.distance ? at : nowhere;
-        if (farthest == nowhere || solidPoints_[at].distance > solidPoints_[farthest].distance) farthest = at;
-    }
-    return solidPoints_[farthest].distance > solidPoint.distance ? farthest : nowhere;
+        candidates_.push_back({n, keptAs_[i], search.touching, candidates_.size(), surface.distance,
+                               path.start.getBasis() * surface.normal, reach});
+    });
 }
 
-void SolidContacts::choose(const btSoftBody& body, const Solids& solids) {
-    lastOfNode_.assign(static_cast<std::size_t>(body.m_nodes.size()), -1);
-    before_.clear();
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        int& last = lastOfNode_[static_cast<std::size_t>(contacts_[i].node)];
-        before_.push_back(last);
-        last = static_cast<int>(i);
+// Puts the candidates of each node side by side.
+void SolidContacts::gatherNodes() {
+    const auto isBefore = [](const Candidate& a, const Candidate& b) {
+        return a.node != b.node ? a.node < b.node : a.rank < b.rank;
+    };
+    if (!std::is_sorted(candidates_.begin(), candidates_.end(), isBefore))
+        std::sort(candidates_.begin(), candidates_.end(), isBefore);
+    nodes_.clear();
+    std::size_t slots = 0;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        if (nodes_.empty() || nodes_.back().node != candidates_[i].node) {
+            if (!nodes_.empty()) slots += std::min(nodes_.back().candidates, maxContacts);
+            nodes_.push_back({candidates_[i].node, i, 0, slots, 0});
+        }
+        ++nodes_.back().candidates;
     }
-    const btScalar margin = body.getCollisionShape()->getMargin();
-    const auto before = [&](int contact) { return before_[static_cast<std::size_t>(contact)]; };
-    for (const int last : lastOfNode_) {
-        if (last < 0 || before(last) < 0) continue;
-        int nearest = last;
-        for (int i = before(last); i >= 0; i = before(i))
-            if (solidPoints_[static_cast<std::size_t>(i)].distance <
-                solidPoints_[static_cast<std::size_t>(nearest)].distance)
-                nearest = i;
-        const auto chosen = static_cast<std::size_t>(nearest);
-        const btVector3& start = body.m_nodes[contacts_[chosen].node].m_x;
-        for (int i = last; i >= 0; i = before(i))
-            if (i != nearest)
-                choose(start, solidPoints_[chosen], margin, static_cast<std::size_t>(i), solids);
-    }
-    removeLeftOut();
+    if (!nodes_.empty()) slots += std::min(nodes_.back().candidates, maxContacts);
+    contacts_.resize(slots);
+    planes_.resize(slots);
 }
 
-void SolidContacts::choose(const btVector3& start, const SolidPoint& nearest, btScalar margin,
-                           std::size_t other, const Solids& solids) {
+void SolidContacts::choose(NodeContacts& of, const btVector3& position, const std::vector<btTransform>& poses) {
+    chosen_.clear();
+    if (sights_.size() > 1)
+        std::sort(sights_.begin(), sights_.end(), [](const Sight& a, const Sight& b) {
+            return a.distance != b.distance ? a.distance < b.distance : a.candidate < b.candidate;
+        });
+    for (Sight& sight : sights_) {
+        if (chosen_.size() == maxContacts) break;
+        if (chosen_.empty() || rises(sight, position, poses)) chosen_.push_back(sight);
+    }
+    of.contacts = chosen_.size();
+}
+
+// Whether a part rises above the plane of the nearest one. Of a triangle the plane in which it lies then counts, if the
+// node may come to it: beyond its edges that plane does not belong to the surface.
+bool SolidContacts::rises(Sight& other, const btVector3& position,
+                          const std::vector<btTransform>& poses) const {
+    const Sight& nearest = chosen_.front();
+    const Candidate& candidate = candidates_[other.candidate];
+    const SolidPart& part = parts_[candidate.part];
+    const btTransform& pose = poses[candidate.touching];
+    const btScalar top = part.farthestAlong(nearest.normal * pose.getBasis()) +
+                         nearest.normal.dot(pose.getOrigin() - position) + nearest.distance;
+    if (!risesAbove(top, margin_)) return false;
+    if (part.convex) return true;
+    const btVector3 local = pose.invXform(position);
+    const btVector3 normal = normalOfTriangle(part.corners, local);
+    const btScalar height = normal.dot(local - part.corners[0]);
+    const btScalar beside = std::sqrt(std::max(btScalar(0), other.distance * other.distance - height * height));
+    if (beside > other.reach + margin_ / 4) return false;
+    other.normal = pose.getBasis() * normal;
+    other.distance = height;
+    return std::none_of(chosen_.begin(), chosen_.end(), [&](const Sight& known) {
+        const Candidate& knownCandidate = candidates_[known.candidate];
+        return knownCandidate.touching == candidate.touching && faceAlike(known.normal, other.normal);
+    });
+}
+
+void SolidContacts::writeContacts(const NodeContacts& of, const btVector3& position,
+                                  const std::vector<btTransform>& poses, SmallStepSheet& sheet,
+                                  const Solids& solids) {
     constexpr btScalar otherFace = btScalar(-0.5);
-    SolidPoint& solidPoint = solidPoints_[other];
-    Contact& contact = contacts_[other];
-    const btTransform transform = solids[solidPoint.solid].end() * solidPoint.shapeInSolid;
-    const btVector3& up = nearest.normal;
-    const btScalar top = solidPoint.isTriangle ? farthestOfTriangle(*solidPoint.shape, transform, up)
-                                               : farthestAlong(*solidPoint.shape, transform, up);
-    if (!risesAbove(top - up.dot(nearest.point), margin)) {
-        contact.node = -1;
-        return;
-    }
-    solidPoint.facesNode = !solidPoint.isTriangle;
-    if (solidPoint.isTriangle) solidPoint.normal = normalOfTriangle(*solidPoint.shape, transform, start);
-    // A face of the cloth adheres only once.
-    if (up.dot(solidPoint.normal) > otherFace) contact.adhesion = 0;
-    contact.adheres = contact.adheres && contact.adhesion > 0;
-}
-
-void SolidContacts::order(const Solids& solids) {
-    const auto solidIndexOf = [&](std::size_t contact) {
-        return solids[solidPoints_[contact].solid].object().getWorldArrayIndex();
-    };
-    order_.resize(contacts_.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    const auto isBefore = [&](std::size_t a, std::size_t b) {
-        return solidIndexOf(a) != solidIndexOf(b) ? solidIndexOf(a) < solidIndexOf(b) : a < b;
-    };
-    if (std::is_sorted(order_.begin(), order_.end(), isBefore)) return;
-    std::sort(order_.begin(), order_.end(), isBefore);
-    unorderedContacts_.swap(contacts_);
-    unorderedSolidPoints_.swap(solidPoints_);
-    contacts_.clear();
-    solidPoints_.clear();
-    for (const std::size_t at : order_) {
-        contacts_.push_back(unorderedContacts_[at]);
-        solidPoints_.push_back(unorderedSolidPoints_[at]);
+    for (std::size_t i = 0; i < of.contacts; ++i) {
+        const Sight& sight = chosen_[i];
+        const Candidate& candidate = candidates_[sight.candidate];
+        const Touching& touching = touching_[candidate.touching];
+        const Solid& solid = solids[touching.solid];
+        Contact& contact = contacts_[of.firstContact + i];
+        Plane& plane = planes_[of.firstContact + i];
+        plane.candidate = sight.candidate;
+        plane.rest = 0;
+        contact.solid = static_cast<std::uint32_t>(touching.solid);
+        contact.touched = false;
+        contact.friction = float(sheetFriction_->friction(touching.surface, of.node));
+        // A face of the cloth adheres only once.
+        const bool isFirstOfFace = i == 0 || chosen_.front().normal.dot(sight.normal) <= otherFace;
+        contact.adhesion =
+            isFirstOfFace ? float(sheetFriction_->adhesion(touching.surface, of.node)) : 0.0f;
+        contact.adheres = contact.adhesion > 0 && sheetFriction_->adheresTo[of.node] == &solid.object();
+        const btTransform& pose = poses[candidate.touching];
+        writePlane(of.firstContact + i, pose.invXform(position - sight.normal * sight.distance),
+                   sight.normal * pose.getBasis(), of.node, sheet, solid);
     }
 }
 
-void SolidContacts::removeLeftOut() {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        if (contacts_[i].node < 0) continue;
-        contacts_[kept] = contacts_[i];
-        solidPoints_[kept] = solidPoints_[i];
-        ++kept;
+// @param point, normal  in the coordinates of the solid
+void SolidContacts::writePlane(std::size_t contact, const btVector3& point, const btVector3& normal,
+                               std::size_t n, SmallStepSheet& sheet, const Solid& solid) {
+    Contact& written = contacts_[contact];
+    Plane& plane = planes_[contact];
+    const btTransform& start = solid.path().start;
+    const btVector3 atStart = start.getBasis() * normal;
+    plane.arm = start.getBasis() * point;
+    plane.offset = body_->m_nodes[static_cast<int>(n)].m_x - (start.getOrigin() + plane.arm);
+    const btVector3 along = alongSolid(contact, n, sheet, solid);
+    for (int axis = 0; axis < 3; ++axis) {
+        written.normal[axis] = float(atStart[axis]);
+        written.found[axis] = float(along[axis]);
     }
-    contacts_.erase(contacts_.begin() + static_cast<std::ptrdiff_t>(kept), contacts_.end());
-    solidPoints_.erase(solidPoints_.begin() + static_cast<std::ptrdiff_t>(kept), solidPoints_.end());
+    written.gap = float(atStart.dot(plane.offset) - margin_ + plane.rest);
+    written.response = float(solid.response(plane.arm, solid.turned(atStart)));
 }
 
-void SolidContacts::begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids) {
-    order(solids);
-    choose(body, solids);
-    const btScalar margin = body.getCollisionShape()->getMargin();
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+// Moves a node out without changing its velocity, and by at most the margin of the cloth at a time; the rest
+// is left to the next substep.
+void SolidContacts::lift(SmallStepSheet& sheet, const NodeContacts& of, const Solids& solids) {
+    for (std::size_t i = of.firstContact; i < of.firstContact + of.contacts; ++i) {
         Contact& contact = contacts_[i];
-        SolidPoint& solidPoint = solidPoints_[i];
-        const Solid& solid = solids[solidPoint.solid];
-        const btVector3& start = body.m_nodes[contact.node].m_x;
-        if (solid.isMoving()) follow(solidPoint, body, start, solid);
-        solidPoint.arm = solidPoint.point - solid.end().getOrigin();
-        solidPoint.response = solid.response(solidPoint.arm, solidPoint.normal);
-        for (int axis = 0; axis < 3; ++axis) contact.normal[axis] = float(solidPoint.normal[axis]);
-        contact.gap = float(solidPoint.normal.dot(start - solidPoint.point) - margin);
-
-        const auto n = static_cast<std::size_t>(contact.node);
-        const btScalar inside =
-            -(btScalar(contact.gap) +
-              solidPoint.normal.dot(vectorOf(sheet.moved(n)) - solid.displacement(solidPoint.arm)));
+        const Solid& solid = solids[contact.solid];
+        const btScalar inside = -gapOf(i, solid, alongSolid(i, of.node, sheet, solid));
         if (inside <= 0) continue;
         contact.adheres = contact.adhesion > 0;
-        // Moved out without changing the velocity, and by at most the margin of the cloth at a time; the rest
-        // is left to the next substep.
-        const btScalar lifted = std::min(inside, margin);
-        sheet.place(n, solidPoint.normal * lifted);
+        const btScalar lifted = std::min(inside, margin_);
+        sheet.place(of.node, vector(contact.normal) * lifted);
+        planes_[i].rest = inside - lifted;
         contact.gap += float(inside - lifted);
     }
 }
 
-void SolidContacts::follow(SolidPoint& solidPoint, const btSoftBody& body, const btVector3& start,
-                           const Solid& solid) const {
-    // Seen from the node there, not rotated with the solid: a ball that spins at a fixed position stays the
-    // same.
-    const btTransform transform = solid.end() * solidPoint.shapeInSolid;
-    const btVector3 point = start + solid.path();
-    const SurfacePoint surface =
-        solidPoint.isTriangle
-            ? nearestOnTriangle(*solidPoint.shape, transform, point)
-            : nearestSurface(*solidPoint.shape, transform, point, body.m_worldInfo->m_sparsesdf);
-    solidPoint.point = point - surface.normal * surface.distance;
-    solidPoint.normal =
-        solidPoint.facesNode ? surface.normal : normalOfTriangle(*solidPoint.shape, transform, point);
+void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
+    posesAreOfThisStep_ = false;
+    for (NodeContacts& of : nodes_) solveNode(of, sheet, solids);
 }
 
-void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        Contact& contact = contacts_[i];
-        const auto n = static_cast<std::size_t>(contact.node);
-        const MovingNode& node = sheet.moved(n);
-        const float* const normal = contact.normal;
-        Solid& solid = solids[solidPoints_[i].solid];
-        const btVector3 displacement = solid.displacement(solidPoints_[i].arm);
-        const float gap = contact.gap + normal[0] * (node.x - float(displacement.x())) +
-                          normal[1] * (node.y - float(displacement.y())) +
-                          normal[2] * (node.z - float(displacement.z()));
-        contact.adheres = adhesionHolds(contact.adhesion, contact.adheres || gap < 0, gap, float(reach_));
-        if (!((gap < 0 || contact.adheres) && std::abs(gap) < std::numeric_limits<float>::max()))
-            continue;  // not for values that are not finite either
-        contact.touched = true;
-        hold(sheet, contact, solidPoints_[i], solid, -gap);
+void SolidContacts::solveNode(NodeContacts& of, SmallStepSheet& sheet, Solids& solids) {
+    for (std::size_t i = of.firstContact; i < of.firstContact + of.contacts; ++i) {
+        Solid& solid = solids[contacts_[i].solid];
+        const btVector3 along = alongSolid(i, of.node, sheet, solid);
+        const btScalar gap = gapOf(i, solid, along);
+        // A convex part lies behind its tangent plane, so that plane need not be found again before the node
+        // comes to it.
+        const bool mayTouchElse = gap < 0 || of.candidates > 1;
+        if (mayTouchElse && (along - vector(contacts_[i].found)).length2() > margin_ * margin_ / 4)
+            return solveAnew(of, sheet, solids);
+        solveContact(i, of.node, gap, sheet, solid);
     }
 }
 
-void SolidContacts::hold(SmallStepSheet& sheet, const Contact& contact, const SolidPoint& solidPoint,
-                         Solid& solid, float depth) const {
-    const auto n = static_cast<std::size_t>(contact.node);
+void SolidContacts::solveAnew(NodeContacts& of, SmallStepSheet& sheet, Solids& solids) {
+    renew(of, sheet, solids);
+    for (std::size_t i = of.firstContact; i < of.firstContact + of.contacts; ++i) {
+        Solid& solid = solids[contacts_[i].solid];
+        btScalar gap = gapOf(i, solid, alongSolid(i, of.node, sheet, solid));
+        if (gap < 0) {
+            if (!reaches(i, of.node, sheet, solid)) continue;
+            gap = gapOf(i, solid, alongSolid(i, of.node, sheet, solid));
+        }
+        solveContact(i, of.node, gap, sheet, solid);
+    }
+}
+
+void SolidContacts::solveContact(std::size_t contact, std::size_t n, btScalar gap, SmallStepSheet& sheet,
+                                 Solid& solid) {
+    Contact& solved = contacts_[contact];
+    solved.adheres =
+        adhesionHolds(double(solved.adhesion), solved.adheres || gap < 0, double(gap), double(reach_));
+    // Not for values that are not finite either.
+    if (!((gap < 0 || solved.adheres) && std::abs(gap) < std::numeric_limits<btScalar>::max())) return;
+    solved.touched = true;
+    solid.touch();
+    hold(contact, sheet, n, solid, -gap);
+}
+
+btVector3 SolidContacts::alongSolid(std::size_t contact, std::size_t n, SmallStepSheet& sheet,
+                                    const Solid& solid) const {
+    const btVector3 moved = vectorOf(sheet.moved(n));
+    return solid.isStill() ? moved : moved - solid.displacement(planes_[contact].arm);
+}
+
+btScalar SolidContacts::gapOf(std::size_t contact, const Solid& solid, const btVector3& along) const {
+    const Contact& of = contacts_[contact];
+    if (!solid.isTurning()) return btScalar(of.gap) + vector(of.normal).dot(along);
+    const Plane& plane = planes_[contact];
+    return solid.turned(vector(of.normal)).dot(plane.offset + along) - margin_ + plane.rest;
+}
+
+void SolidContacts::renew(NodeContacts& of, SmallStepSheet& sheet, const Solids& solids) {
+    if (!posesAreOfThisStep_) {
+        poses_.clear();
+        for (const Touching& touching : touching_) poses_.push_back(solids[touching.solid].poseBefore());
+        posesAreOfThisStep_ = true;
+    }
+    const btVector3 step = sheet.step(of.node);
+    const btVector3 position =
+        body_->m_nodes[static_cast<int>(of.node)].m_x + vectorOf(sheet.moved(of.node)) - step;
+    sights_.clear();
+    for (std::size_t i = 0; i < of.candidates; ++i) {
+        const Candidate& candidate = candidates_[of.firstCandidate + i];
+        const btTransform& pose = poses_[candidate.touching];
+        const Solid& solid = solids[touching_[candidate.touching].solid];
+        const SurfacePoint surface =
+            nearestOn(parts_[candidate.part], pose.invXform(position), body_->m_worldInfo->m_sparsesdf);
+        const btVector3 arm = solid.unturned(position - pose.getOrigin());
+        sights_.push_back({of.firstCandidate + i, surface.distance, pose.getBasis() * surface.normal,
+                           (step - solid.step(arm)).length()});
+    }
+    const auto first = static_cast<std::ptrdiff_t>(of.firstContact);
+    const auto end = first + static_cast<std::ptrdiff_t>(of.contacts);
+    contactsBefore_.assign(contacts_.begin() + first, contacts_.begin() + end);
+    planesBefore_.assign(planes_.begin() + first, planes_.begin() + end);
+    choose(of, position, poses_);
+    writeContacts(of, position, poses_, sheet, solids);
+    for (std::size_t i = 0; i < of.contacts; ++i)
+        goOn(of.firstContact + i, std::max(btScalar(0), margin_ - chosen_[i].distance));
+}
+
+// A contact goes on with what it has been through in this substep, on the same part or on a neighbour that
+// faces alike.
+void SolidContacts::goOn(std::size_t contact, btScalar depth) {
+    Contact& now = contacts_[contact];
+    Plane& plane = planes_[contact];
+    for (std::size_t i = 0; i < contactsBefore_.size(); ++i) {
+        const Contact& before = contactsBefore_[i];
+        if (before.solid != now.solid) continue;
+        if (planesBefore_[i].candidate != plane.candidate &&
+            !faceAlike(vector(before.normal), vector(now.normal)))
+            continue;
+        now.touched = now.touched || before.touched;
+        now.adheres = now.adhesion > 0 && (now.adheres || before.adheres);
+        plane.rest = std::max(plane.rest, std::min(planesBefore_[i].rest, depth));
+    }
+    now.gap += float(plane.rest);
+}
+
+bool SolidContacts::reaches(std::size_t contact, std::size_t n, SmallStepSheet& sheet, const Solid& solid) {
+    const btVector3 end = body_->m_nodes[static_cast<int>(n)].m_x + vectorOf(sheet.moved(n));
+    const btVector3 from = solid.poseBefore().invXform(end - sheet.step(n)), to = solid.pose().invXform(end);
+    const btScalar length = (to - from).length();
+    if (length < margin_ / 2) return true;
+    const SolidPart& part = parts_[candidates_[planes_[contact].candidate].part];
+    // Conservative advancement: as far at a time as the surface is away.
+    constexpr int most = 16;
+    constexpr auto touching = btScalar(1.05);  // margins
+    btScalar time = 0;
+    SurfacePoint surface;
+    btVector3 point;
+    for (int i = 0; i < most; ++i) {
+        point = from + (to - from) * time;
+        surface = nearestOn(part, point, body_->m_worldInfo->m_sparsesdf);
+        if (surface.distance < touching * margin_) break;
+        time += (surface.distance - margin_) / length;
+        if (time >= 1) return false;
+    }
+    if (time > 0) writePlane(contact, point - surface.normal * surface.distance, surface.normal, n, sheet, solid);
+    return true;
+}
+
+void SolidContacts::hold(std::size_t contact, SmallStepSheet& sheet, std::size_t n, Solid& solid,
+                         btScalar depth) {
+    const Contact& holding = contacts_[contact];
     MovingNode& node = sheet.moved(n);
-    const btVector3 normal(btScalar(contact.normal[0]), btScalar(contact.normal[1]),
-                           btScalar(contact.normal[2]));
+    const btVector3 normal = solid.turned(vector(holding.normal));
     const auto inverseMass = btScalar(node.inverseMass);
     const auto h = btScalar(sheet.smallStep());
-    const ContactLaw law = {btScalar(contact.friction),
-                            contact.adheres ? btScalar(contact.adhesion) * h * h : btScalar(0)};
-    const btScalar push = law.push(btScalar(depth) / (inverseMass + solidPoint.response));
-    const btVector3 slip = alongSurface(sheet.step(n) - solid.step(solidPoint.arm), normal);
+    const ContactLaw law = {btScalar(holding.friction),
+                            holding.adheres ? btScalar(holding.adhesion) * h * h : btScalar(0)};
+    const btScalar push = law.push(depth / (inverseMass + btScalar(holding.response)));
+    btVector3 slip = sheet.step(n);
+    if (!solid.isStill()) slip -= solid.step(planes_[contact].arm);
+    slip = alongSurface(slip, normal);
     const btScalar length = slip.length();
     btVector3 total = normal * push;
     if (length > 0) {
         // A solid that can rotate yields more to a tangential force than to a normal one.
-        const btScalar giving = inverseMass + solid.response(solidPoint.arm, slip / length);
+        btScalar giving = inverseMass;
+        if (solid.isMovable()) giving += solid.response(planes_[contact].arm, slip / length);
         total -= drag(slip, length, length / giving, law.maxFriction(push));
     }
     shift(node, total * inverseMass);
-    solid.push(solidPoint.arm, -total);
+    if (!solid.isStill()) solid.push(planes_[contact].arm, -total);
 }
 
 void SolidContacts::finish(btSoftBody& body, Friction& sheetFriction, const Solids& solids,
                            double substep) const {
     std::fill(sheetFriction.adheresTo.begin(), sheetFriction.adheresTo.end(), nullptr);
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const Contact& contact = contacts_[i];
-        if (!contact.touched) continue;
-        const SolidPoint& solidPoint = solidPoints_[i];
-        const Solid& solid = solids[solidPoint.solid];
-        if (contact.adheres)
-            sheetFriction.adheresTo[static_cast<std::size_t>(contact.node)] = &solid.object();
-        btSoftBody::RContact found;
-        btSoftBody::Node& node = body.m_nodes[contact.node];
-        found.m_cti.m_colObj = &solid.object();
-        found.m_cti.m_normal = solidPoint.normal;
-        found.m_cti.m_offset =
-            -solidPoint.normal.dot(solidPoint.point) - body.getCollisionShape()->getMargin();
-        found.m_node = &node;
-        found.m_c0.setIdentity();
-        found.m_c1 = solidPoint.arm;
-        found.m_c2 = node.m_im * btScalar(substep);
-        found.m_c3 = btScalar(contact.friction);
-        found.m_c4 = 1;
-        found.t1.setZero();
-        found.t2.setZero();
-        body.m_rcontacts.push_back(found);
-    }
+    for (const NodeContacts& of : nodes_)
+        for (std::size_t i = of.firstContact; i < of.firstContact + of.contacts; ++i) {
+            const Contact& contact = contacts_[i];
+            if (!contact.touched) continue;
+            const Solid& solid = solids[contact.solid];
+            if (contact.adheres) sheetFriction.adheresTo[of.node] = &solid.object();
+            const btVector3 normal = solid.turned(vector(contact.normal));
+            const btVector3& arm = planes_[i].arm;
+            const btVector3 point = solid.path().start.getOrigin() + arm + solid.displacement(arm);
+            btSoftBody::RContact found;
+            btSoftBody::Node& node = body.m_nodes[static_cast<int>(of.node)];
+            found.m_cti.m_colObj = &solid.object();
+            found.m_cti.m_normal = normal;
+            found.m_cti.m_offset = -normal.dot(point) - margin_;
+            found.m_node = &node;
+            found.m_c0.setIdentity();
+            found.m_c1 = solid.turned(arm);
+            found.m_c2 = node.m_im * btScalar(substep);
+            found.m_c3 = btScalar(contact.friction);
+            found.m_c4 = 1;
+            found.t1.setZero();
+            found.t2.setZero();
+            body.m_rcontacts.push_back(found);
+        }
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -1,13 +1,15 @@
 // Contacts of a sheet with solids: found once per substep, solved in each small step.
 #pragma once
 
-#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletSoftBody/btSoftBody.h>
 
-#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "bullet/contact/friction.h"
+#include "bullet/contact/near_solids.h"
+#include "bullet/contact/parts_in_rows.h"
+#include "bullet/contact/solid_distance.h"
 #include "bullet/contact/solids.h"
 #include "bullet/small_steps/small_step_sheet.h"
 #include "drench/config.h"
@@ -15,84 +17,131 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// Each contact is a plane that moves with the solid, and keeps its node on one side: the tangent plane at the
-// surface point nearest to the node at the start of the substep. So a node never passes through a convex
-// solid that does not rotate, however fast or thin it is. Contacts include nodes that might reach a solid
-// within the substep. A node that adheres to the solid is also held back on the other side, up to the force
-// and the reach of adhesion.
+// Each contact is a plane that moves and turns with the solid, and keeps its node on one side: the tangent plane at the
+// surface point nearest to the node. So a node never passes through a solid, however fast or thin either is. Planes have
+// no end, surfaces have: once the node has moved along the solid, a new plane is found where the node is, so that what
+// flies past the cloth does not push it. Contacts include nodes that might reach a solid within the substep. A node that
+// adheres to the solid is also held back on the other side, up to the force and the reach of adhesion.
 class SolidContacts {
   public:
+    // Forgets the contacts of the last substep.
     void clear();
+    // A solid is near, says Bullet's collision detection, which runs before anything moves.
+    void meet(const btCollisionObject& object);
 
-    // Finds the nodes of a sheet that might touch a solid within the substep, or adhere to it.
-    void find(btSoftBody& body, const SmallStepSheet& sheet, const Friction& sheetFriction,
-              const btCollisionObjectWrapper& solid, double substep, Solids& solids);
-
-    // Computes the planes for the substep, and moves nodes out of solids that they start in.
-    void begin(const btSoftBody& body, SmallStepSheet& sheet, const Solids& solids);
-
+    // Adds the solids that are still there: the application's callbacks may have removed some since Bullet reported them.
+    void addSolids(const btSoftBody& body, const Friction& sheetFriction, const NearSolids& near, Solids& solids);
+    // Finds the nodes that might touch a solid within the substep, or adhere to it, and moves nodes out of solids that
+    // they start in. @pre the solids have begun
+    void begin(btSoftBody& body, SmallStepSheet& sheet, const Friction& sheetFriction, const Solids& solids);
     // Keeps nodes on their side of the planes, with Coulomb friction along them.
     void solve(SmallStepSheet& sheet, Solids& solids);
-
-    // Writes the contacts that have touched to m_rcontacts, and the adhesive bonds to the Friction of the
-    // sheet.
+    // Writes the contacts that have touched to m_rcontacts, and the adhesive bonds to the Friction of the sheet.
     void finish(btSoftBody& body, Friction& sheetFriction, const Solids& solids, double substep) const;
 
   private:
-    struct Touching;
+    // A solid that Bullet has reported, by address only, and where it was then.
+    struct Met {
+        const btCollisionObject* object;
+        int number;  // of its proxy
+        btTransform start;
+    };
+    // A solid near the sheet.
+    struct Touching {
+        std::size_t solid;  // index
+        Surface surface;
+    };
+    // A part of a solid that a node may touch.
+    struct Candidate {
+        std::size_t node, part, touching;  // indices
+        std::size_t rank;                  // in the order in which they were found
+        btScalar distance;  // of the node at the start of the substep, m
+        btVector3 normal;   // then, in the world
+        btScalar reach;     // how far the node may move along the solid in the substep, m
+    };
+    // A part as seen from a node at some time.
+    struct Sight {
+        std::size_t candidate;
+        btScalar distance;  // m
+        btVector3 normal;   // in the world
+        btScalar reach;     // how far the node may move along the solid, m
+    };
     struct Contact {
-        int node;
-        float normal[3];
-        float gap;       // from the plane at the end position of the solid to the node at its start, m
-        float friction;  // friction coefficient
-        float adhesion;  // adhesive force, N
+        float normal[3];  // at the start of the substep
+        float gap;        // from the plane to the node, both at the start of the substep, m
+        float found[3];   // displacement of the node along the solid when the plane was found, m
+        float friction;   // friction coefficient
+        float adhesion;   // adhesive force, N
+        float response;   // of the solid, 1/kg
+        std::uint32_t solid;  // index
         bool adheres;
         bool touched;
     };
     // Data that only few contacts need, at the same index.
-    struct SolidPoint {
-        std::size_t solid;
-        const btCollisionShape* shape;
-        bool isTriangle;  // whether it is a triangle of a mesh
-        btTransform shapeInSolid;
-        btVector3 point;   // on the plane, at the start of the substep; later at its end
-        btVector3 normal;  // likewise
-        btVector3 arm;     // from the solid's centre of mass to the point, at the end of the substep
-        btScalar response;
-        btScalar distance;  // of the node from the point when it was found, m
-        bool facesNode;     // whether the normal points to the node, or is that of the triangle
+    struct Plane {
+        std::size_t candidate;
+        btVector3 arm;     // of the plane's point
+        btVector3 offset;  // from that point to the node, both at the start of the substep, m
+        btScalar rest;     // depth in which the node is left until the next substep, m
     };
+    // The candidates and contacts of one node, as ranges of indices.
+    struct NodeContacts {
+        std::size_t node;
+        std::size_t firstCandidate, candidates;
+        std::size_t firstContact, contacts;
+    };
+    struct Search;
+    static constexpr std::size_t maxContacts = 6;  // of a node
 
-    void findNode(btSoftBody& body, const SmallStepSheet& sheet, std::size_t n, const Touching& with);
-    // The slot for the contact of a node with a mesh; see meshContacts_.
-    std::size_t indexOnMesh(std::size_t n, const SolidPoint& solidPoint, const btVector3& start);
-    // Removes contacts that would stop a node on level ground of several parts; see flat_neighbours.h.
-    // Triangles that rise above the nearest plane are kept.
-    void choose(const btSoftBody& body, const Solids& solids);
-    // Sorts contacts by the index of the solid in the world. Bullet reports them in the order in which the
-    // objects first met, which is unknown to restored sheets.
-    void order(const Solids& solids);
-    void choose(const btVector3& start, const SolidPoint& nearest, btScalar margin, std::size_t other,
-                const Solids& solids);
-    void removeLeftOut();
-    // Moves the plane to the position of the solid at the end of the substep.
-    void follow(SolidPoint& solidPoint, const btSoftBody& body, const btVector3& start,
-                const Solid& solid) const;
-    void hold(SmallStepSheet& sheet, const Contact& contact, const SolidPoint& solidPoint, Solid& solid,
-              float depth) const;
+    bool isThere(const btSoftBody& body, const Met& met) const;
+    void find(const SmallStepSheet& sheet, const Solid& solid, std::size_t touching);
+    void gather(const btCollisionShape& shape, const Bounds& box);
+    void findNode(const Search& search, std::size_t n);
+    void gatherNodes();
+    void lift(SmallStepSheet& sheet, const NodeContacts& of, const Solids& solids);
 
+    // Chooses the planes of a node among the parts in `sights_`.
+    // @param poses  of the touching solids
+    void choose(NodeContacts& of, const btVector3& position, const std::vector<btTransform>& poses);
+    bool rises(Sight& other, const btVector3& position, const std::vector<btTransform>& poses) const;
+    void writeContacts(const NodeContacts& of, const btVector3& position, const std::vector<btTransform>& poses,
+                       SmallStepSheet& sheet, const Solids& solids);
+    void writePlane(std::size_t contact, const btVector3& point, const btVector3& normal, std::size_t n,
+                    SmallStepSheet& sheet, const Solid& solid);
+
+    void solveNode(NodeContacts& of, SmallStepSheet& sheet, Solids& solids);
+    void solveAnew(NodeContacts& of, SmallStepSheet& sheet, Solids& solids);
+    void solveContact(std::size_t contact, std::size_t n, btScalar gap, SmallStepSheet& sheet, Solid& solid);
+    // Displacement of a node along a solid since the start of the substep.
+    btVector3 alongSolid(std::size_t contact, std::size_t n, SmallStepSheet& sheet, const Solid& solid) const;
+    btScalar gapOf(std::size_t contact, const Solid& solid, const btVector3& along) const;
+    // Finds the planes of a node again, where it is at the start of the small step.
+    void renew(NodeContacts& of, SmallStepSheet& sheet, const Solids& solids);
+    void goOn(std::size_t contact, btScalar depth);
+    // Whether the node reaches the part of a contact in the small step; the plane is then that of the place.
+    bool reaches(std::size_t contact, std::size_t n, SmallStepSheet& sheet, const Solid& solid);
+    void hold(std::size_t contact, SmallStepSheet& sheet, std::size_t n, Solid& solid, btScalar depth);
+
+    btSoftBody* body_ = nullptr;
+    const Friction* sheetFriction_ = nullptr;
+    btScalar margin_ = 0;  // m
+    btScalar reach_ = 0;   // of adhesion, m
+    std::vector<Met> met_;
+    std::vector<Touching> touching_;
+    std::vector<SolidPart> parts_;
+    std::vector<Candidate> candidates_;
+    std::vector<NodeContacts> nodes_;
     std::vector<Contact> contacts_;
-    std::vector<SolidPoint> solidPoints_;
-    btScalar reach_ = 0;  // of adhesion, m
-    // A node may be near many triangles of a mesh. For each of six directions only the nearest triangle that
-    // faces this direction is kept. For each node, its contacts with the last processed mesh; -1 for none.
-    std::vector<std::array<int, 6>> meshContacts_;
-    const btCollisionObject* mesh_ = nullptr;
-    std::vector<std::size_t> order_;
-    std::vector<Contact> unorderedContacts_;
-    std::vector<SolidPoint> unorderedSolidPoints_;
-    std::vector<int> lastOfNode_,
-        before_;  // last contact of each node, and the previous one of each contact; -1 for none
+    std::vector<Plane> planes_;  // at the same index
+    // For use within functions.
+    std::vector<SolidPart> gathered_;
+    PartsInRows rows_;                // of gathered_
+    std::vector<std::size_t> keptAs_; // index in parts_ of each of gathered_
+    std::vector<Sight> sights_, chosen_;
+    std::vector<Contact> contactsBefore_;  // of a node, while its planes are found again
+    std::vector<Plane> planesBefore_;
+    std::vector<btTransform> startPoses_, poses_;  // of touching_: at the start of the substep and of the small step
+    bool posesAreOfThisStep_ = false;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -47,7 +47,7 @@ void Tethers::begin(const btSoftBody& body, const SheetMechanics& mechanics, dou
         pins_ = std::move(pins);
         lay(mechanics);
     }
-    measure(mechanics, double(body.m_worldInfo->m_gravity.length()), stretchTolerance);
+    measure(mechanics, double(mechanics.gravity.length()), stretchTolerance);
 }
 
 // Shortest paths from all pins at once (Dijkstra).

@@ -78,8 +78,8 @@ void WetCloth::Layer::restore(const Snapshot& snapshot) {
     checkSameSheet(snapshot);
     checkSections(snapshot);
     restoreSections(snapshot);
-    pose.gather(body, mesh);  // positions for repairs
-    world.updateAabbs();      // rays search there before the next step updates them
+    pose.gather(body, mesh, mechanics.gravity);  // positions for repairs
+    world.updateAabbs();                         // rays search there before the next step updates them
 }
 
 void WetCloth::Layer::checkBetweenSteps() const {
@@ -199,7 +199,10 @@ void WetCloth::Layer::mechanicsState(BulletPass& pass) {
     std::shared_ptr<MovingSheet> moving = mechanics.moving;
     if (!moving) moving = std::make_shared<MovingSheet>(mechanics);
     pass.part(moving->cloth);
-    if (pass.restores()) mechanics.moving = std::move(moving);
+    if (!pass.restores()) return;
+    mechanics.moving = std::move(moving);
+    mechanics.hasJumped = false;
+    mechanics.near.observe(body);
 }
 
 void WetCloth::Layer::touchState(BulletPass& pass) {

@@ -63,6 +63,10 @@ void SmallStepSheet::state(BulletPass& pass) {
     for (PlateState& plates : plateStates_)
         for (auto& component : plates.slid)
             for (float& curvature : component) pass.number(curvature);
+    // Drench 0.2 did not remember steps.
+    if (pass.saves() ? longestStep_ == 0 : !pass.hasMore()) return;
+    for (double* const time : {&longestStep_, &longestInWindow_, &longestBefore_, &sinceWindow_})
+        pass.number(*time, 0, 1e6);
 }
 
 void StockContacts::state(BulletPass& pass) {

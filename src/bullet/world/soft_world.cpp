@@ -13,17 +13,23 @@ namespace {
 
 using DeformableFlag = bool btDeformableMultiBodyDynamicsWorld::*;
 
-// Bullet has setImplicit and setUseProjection but no getters, and a derived class has no access either. An
-// explicit template instantiation may name private members, and makes them accessible through a friend.
+using DeformableSolver = btDeformableBodySolver* btDeformableMultiBodyDynamicsWorld::*;
+
+// Bullet has setImplicit and setUseProjection but no getters, none for its solver of soft bodies, and a derived
+// class has no access either. An explicit template instantiation may name private members, and makes them
+// accessible through a friend.
 DeformableFlag implicitFlag();
 DeformableFlag projectionFlag();
-template <DeformableFlag implicit, DeformableFlag projection>
+DeformableSolver solverMember();
+template <DeformableFlag implicit, DeformableFlag projection, DeformableSolver solver>
 struct Revealed {
     friend DeformableFlag implicitFlag() { return implicit; }
     friend DeformableFlag projectionFlag() { return projection; }
+    friend DeformableSolver solverMember() { return solver; }
 };
 template struct Revealed<&btDeformableMultiBodyDynamicsWorld::m_implicit,
-                         &btDeformableMultiBodyDynamicsWorld::m_useProjection>;
+                         &btDeformableMultiBodyDynamicsWorld::m_useProjection,
+                         &btDeformableMultiBodyDynamicsWorld::m_deformableBodySolver>;
 
 // Calls `use` with the world cast to its class.
 template <typename Use>
@@ -75,6 +81,10 @@ const btSoftBodyWorldInfo& worldInfoOf(btDiscreteDynamicsWorld& world) {
 DeformableMode deformableModeOf(const btDiscreteDynamicsWorld& world) {
     const auto& deformable = static_cast<const btDeformableMultiBodyDynamicsWorld&>(world);
     return {deformable.*implicitFlag(), deformable.*projectionFlag()};
+}
+
+btDeformableBodySolver& deformableSolverOf(btDiscreteDynamicsWorld& world) {
+    return *(static_cast<btDeformableMultiBodyDynamicsWorld&>(world).*solverMember());
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -7,6 +7,8 @@
 
 #include "drench/config.h"
 
+class btDeformableBodySolver;
+
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
@@ -32,6 +34,8 @@ struct DeformableMode {
 };
 // @pre the world is deformable
 DeformableMode deformableModeOf(const btDiscreteDynamicsWorld& world);
+// Its solver of soft bodies. @pre the world is deformable
+btDeformableBodySolver& deformableSolverOf(btDiscreteDynamicsWorld& world);
 
 }  // namespace DRENCH_BULLET_NAMESPACE
 }  // namespace drench

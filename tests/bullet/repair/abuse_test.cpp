@@ -146,7 +146,9 @@ TEST(Abuse, ASheetOfAnySizeAnywhere) {
         auto made = makeSheet(rig.info(), fabric, flatCorners({0, 0, 0}, {size, 0, 0}, {0, -size, 0}), 9, 9);
         for (int i = 0; i < 9; ++i) made->m_nodes[i].m_im = 0;
         btSoftBody& sheet = rig.add(std::move(made));
-        WetCloth& cloth = rig.cover(sheet, fabric);
+        SheetSettings settings;
+        settings.unusualScale = true;
+        WetCloth& cloth = rig.cover(sheet, fabric, settings);
         sheet.translate({position, 0, position});
         cloth.soakFilm(0.2);
         cloth.air().wind = {0, 0, 2};

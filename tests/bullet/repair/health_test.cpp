@@ -60,6 +60,8 @@ std::vector<Mishap> mishaps() {
         {"negative", Trouble::mass, 46, [=](AnyWorld& rig) { node(rig, 46).m_im = -5; }, nothing},
         {"none", Trouble::mass, 47, [=](AnyWorld& rig) { node(rig, 47).m_im = infinite; }, nothing},
         {"gravity", Trouble::gravity, -1, [](AnyWorld& rig) { rig.info().m_gravity.setX(nan); }, nothing},
+        {"none of it", Trouble::gravity, -1, [](AnyWorld& rig) { rig.info().m_gravity.setValue(0, nan, 0); },
+         nothing},
         {"heavy", Trouble::gravity, -1, [](AnyWorld& rig) { rig.info().m_gravity.setY(btScalar(-1e6)); },
          nothing},
         setting("damping", &Config::kDP, nan),
