@@ -128,6 +128,9 @@ struct SoftContacts::Finder final : btDbvt::ICollide {
             if (knowsSide && faceAlike(normal, -up)) normal = -normal;
         }
         found.contact = silentContact(*node_, *near.face, near.nearest.weights, normal, margin_, friction_);
+        constexpr auto level = btScalar(0.99);
+        found.isTilted = !(std::abs(normal.dot(up)) > level);
+        found.side = knowsSide ? (side < 0 ? btScalar(-1) : btScalar(1)) : btScalar(0);
         found.pressed = last ? std::clamp(margin_ - last->kept, btScalar(0), margin_ / 2) : btScalar(0);
         return true;
     }
@@ -279,9 +282,10 @@ SoftContacts::Contact SoftContacts::placed(std::size_t pair, std::size_t found) 
     contact.friction = float(source.m_friction);
     if (const Sheet* const sheet = bodyOf(*pairs_[pair].owner).sheet)
         contact.friction *= float(sheet->sheetFriction->frictionRatio(contact.nodes[0]));
-    for (std::size_t i = 0; i < 4; ++i)
-        contact.response += contact.weights[i] * contact.weights[i] * contact.moved[i]->inverseMass;
+    contact.response = responseOf(contact);
     contact.gap = float(apart.dot(source.m_normal) - pairs_[pair].margin);
+    contact.isTilted = found_[found].isTilted;
+    contact.side = found_[found].side;
     contact.pressed = float(found_[found].pressed);
     return contact;
 }
@@ -307,8 +311,9 @@ void SoftContacts::separate(Contact& contact, float margin) {
 
 void SoftContacts::allowOverlap() {
     for (Contact& contact : contacts_) {
-        contact.gap += std::max(0.0f, depthOf(contact) - contact.pressed);
-        contact.held = apartOf(contact);
+        contact.allowed = std::max(0.0f, depthOf(contact) - contact.pressed);
+        contact.gap += contact.allowed;
+        contact.held = contact.renewedAt = apartOf(contact);
     }
 }
 
@@ -353,11 +358,58 @@ void SoftContacts::advance() {
 }
 
 void SoftContacts::solve() {
-    for (Contact& contact : contacts_) contact.push = contact.maxDrag = 0;
+    for (Contact& contact : contacts_) {
+        if (contact.isTilted) renew(contact);
+        contact.push = contact.maxDrag = 0;
+    }
     constexpr int sweeps = 3;
     for (int sweep = 0; sweep < sweeps; ++sweep)
         for (Contact& contact : contacts_) pushApart(contact);
     for (Contact& contact : contacts_) rub(contact);
+}
+
+btVector3 SoftContacts::positionOf(const Contact& contact, std::size_t corner) const {
+    const btVector3 start = contact.sheets[corner] ? contact.sheets[corner]->startPosition(contact.nodes[corner])
+                                                   : guests_[contact.nodes[corner]].start;
+    return start + vectorOf(*contact.moved[corner]);
+}
+
+// The plane through a point on the border of the cloth has no end. A node far ahead of a border that slides along
+// would meet it, and stop the cloth. So the nearest point of the face is found anew when they have moved. (Not in
+// each small step: the planes of cloth at rest stay as they are.)
+void SoftContacts::renew(Contact& contact) {
+    const btVector3 before = apartOf(contact);
+    constexpr auto near = btScalar(0.1);
+    const btScalar farthest = near * pairs_[contact.pair].margin;
+    if (!((before - contact.renewedAt).length2() > farthest * farthest)) return;
+    const btVector3 node = positionOf(contact, 0), a = positionOf(contact, 1), b = positionOf(contact, 2),
+                    c = positionOf(contact, 3);
+    const FaceProjection::Nearest nearest = projection_.of(node, a, b, c);
+    const btVector3 up = (b - a).cross(c - a);
+    const btScalar distance = nearest.apart.length(), area = up.length(), margin = pairs_[contact.pair].margin;
+    constexpr auto inPlane = btScalar(1e-5), level = btScalar(0.99);
+    if (!(distance > inPlane * margin && area > 0 && distance < std::numeric_limits<btScalar>::max())) return;
+    btVector3 normal = nearest.apart / distance;
+    const btScalar along = normal.dot(up) / area;
+    if (contact.side != 0 && faceAlike(normal, up * (-contact.side / area))) normal = -normal;
+    if (contact.side == 0 && std::abs(along) > level) contact.side = along < 0 ? btScalar(-1) : btScalar(1);
+    contact.normal = normal;
+    for (int corner = 0; corner < 3; ++corner)
+        contact.weights[corner + 1] = -float(nearest.weights[corner]);
+    contact.response = responseOf(contact);
+    const btVector3 apart = contact.renewedAt = apartOf(contact);
+    contact.held += apart - before;
+    contact.gap = float((nearest.apart - apart).dot(normal) - margin) + contact.allowed;
+    btSoftBody::SContact& source = found_[contact.found].contact;
+    source.m_normal = normal;
+    source.m_weights = nearest.weights;
+}
+
+float SoftContacts::responseOf(const Contact& contact) {
+    float response = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        response += contact.weights[i] * contact.weights[i] * contact.moved[i]->inverseMass;
+    return response;
 }
 
 // In each sweep the push of the small step is corrected as a whole: a contact that a later one has opened takes

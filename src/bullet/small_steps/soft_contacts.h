@@ -71,6 +71,8 @@ class SoftContacts {
     struct Found {
         btSoftBody::SContact contact;
         btScalar pressed;  // depth that the forces of the last substep have left, m
+        btScalar side;     // on which the node is: 1 for that of the face's normal, -1; 0 if unknown
+        bool isTilted;     // whether the nearest point is on the border of the cloth, or on a sharp fold
     };
     // The contacts of the nodes of one body with the faces of another.
     struct Pair {
@@ -100,6 +102,9 @@ class SoftContacts {
         btVector3 normal;  // from the face to the node
         float gap;         // at the start of the substep, m
         float pressed;     // depth that may push, m
+        float allowed;     // overlap that does not push, m
+        btScalar side;     // as in Found
+        btVector3 renewedAt;  // displacement apart for which the nearest point was found, m
         btVector3 held;    // where friction holds node and face: their displacement apart, m
         float push;        // in the current small step, as the distance that it moves node and face apart, m
         float maxDrag;     // of friction, in the same unit
@@ -107,6 +112,7 @@ class SoftContacts {
         float response;    // to an impulse along the normal, 1/kg
         float adhesion;    // adhesive force, N
         float reach;       // of adhesion, m
+        bool isTilted;  // as in Found
         bool adheres;
         bool touched;
     };
@@ -125,6 +131,9 @@ class SoftContacts {
     // @return position of the node at the start of the substep
     btVector3 place(Contact& contact, std::size_t corner, btSoftBody::Node& node, const btSoftBody& owner);
     void separate(Contact& contact, float margin);
+    btVector3 positionOf(const Contact& contact, std::size_t corner) const;
+    void renew(Contact& contact);
+    static float responseOf(const Contact& contact);
     void pushApart(Contact& contact);
     static void rub(Contact& contact);
     static btVector3 apartOf(const Contact& contact);
@@ -141,6 +150,7 @@ class SoftContacts {
     std::vector<Body> bodies_;  // by their index in the world
     std::vector<Near> near_;
     btNodeStack stack_;
+    FaceProjection projection_;
     std::vector<Found> found_;
     std::vector<Pair> pairs_;
     std::vector<Contact> contacts_;  // in the order of the pairs
