@@ -59,8 +59,7 @@ struct SoftContacts::Finder final : btDbvt::ICollide {
           other_(other),
           margin_(margins),
           friction_(dryFriction(owner, other)),
-          remembered_(contacts.bodyOf(owner).remembered),
-          nextRemembered_(remembered_.begin()) {}
+          remembered_(contacts.bodyOf(owner).remembered) {}
 
     // Adds the contacts of a node that count. Called in the order of the nodes.
     void find(btSoftBody::Node& node, const btDbvtVolume& around) {
@@ -135,15 +134,20 @@ struct SoftContacts::Finder final : btDbvt::ICollide {
         return true;
     }
 
-    // Finds the last contacts of the node.
+    // Finds the last contacts of the node with the other body.
     void beginLast() {
-        while (nextRemembered_ != remembered_.end() && nextRemembered_->node < node_) ++nextRemembered_;
+        const btSoftBody::Face *const first = &other_.m_faces[0], *const end = first + other_.m_faces.size();
+        const auto isBefore = [this](const Remembered& each, const btSoftBody::Face* face) {
+            return each.node != node_ ? each.node < node_ : each.face < face;
+        };
+        firstLast_ = std::lower_bound(remembered_.begin(), remembered_.end(), first, isBefore);
+        endLast_ = std::lower_bound(firstLast_, remembered_.end(), end, isBefore);
     }
 
     // The last contact of the node with a face or with one that shares a node with it; null for none.
     const Remembered* lastContact(const btSoftBody::Face& face) const {
         const Remembered* adjacent = nullptr;
-        for (auto each = nextRemembered_; each != remembered_.end() && each->node == node_; ++each) {
+        for (auto each = firstLast_; each != endLast_; ++each) {
             if (each->face == &face) return &*each;
             if (!adjacent && shareNode(*each->face, face)) adjacent = &*each;
         }
@@ -156,7 +160,7 @@ struct SoftContacts::Finder final : btDbvt::ICollide {
     const btScalar margin_;
     const btScalar friction_;
     const std::vector<Remembered>& remembered_;
-    std::vector<Remembered>::const_iterator nextRemembered_;  // the first of this node or a later one
+    std::vector<Remembered>::const_iterator firstLast_, endLast_;  // of this node with the other body
     btSoftBody::Node* node_ = nullptr;
     std::vector<Near>& near_ = contacts_.near_;
     btNodeStack& stack_ = contacts_.stack_;
@@ -187,8 +191,9 @@ void SoftContacts::remember(const btSoftBody& body) {
         if (isSilent(contact))
             remembered.push_back({contact.m_node, contact.m_face, contact.m_normal, contact.m_margin});
     }
-    std::stable_sort(remembered.begin(), remembered.end(),
-                     [](const Remembered& a, const Remembered& b) { return a.node < b.node; });
+    std::sort(remembered.begin(), remembered.end(), [](const Remembered& a, const Remembered& b) {
+        return a.node != b.node ? a.node < b.node : a.face < b.face;
+    });
 }
 
 void SoftContacts::find(btSoftBody& nodes, btSoftBody& faces, const SmallStepSheet* ofNodes,
@@ -386,13 +391,12 @@ void SoftContacts::renew(Contact& contact) {
                     c = positionOf(contact, 3);
     const FaceProjection::Nearest nearest = projection_.of(node, a, b, c);
     const btVector3 up = (b - a).cross(c - a);
-    const btScalar distance = nearest.apart.length(), area = up.length(), margin = pairs_[contact.pair].margin;
-    constexpr auto inPlane = btScalar(1e-5), level = btScalar(0.99);
-    if (!(distance > inPlane * margin && area > 0 && distance < std::numeric_limits<btScalar>::max())) return;
-    btVector3 normal = nearest.apart / distance;
-    const btScalar along = normal.dot(up) / area;
-    if (contact.side != 0 && faceAlike(normal, up * (-contact.side / area))) normal = -normal;
-    if (contact.side == 0 && std::abs(along) > level) contact.side = along < 0 ? btScalar(-1) : btScalar(1);
+    const btScalar distance = nearest.apart.length(), margin = pairs_[contact.pair].margin;
+    constexpr auto inPlane = btScalar(1e-5);
+    if (!(distance > inPlane * margin && distance < std::numeric_limits<btScalar>::max())) return;
+    const btVector3 normal = nearest.apart / distance;
+    // Behind the face the node would be deep inside at once, and be thrown.
+    if (!(normal.dot(contact.normal) > 0 && normal.dot(up) * contact.side >= 0)) return;
     contact.normal = normal;
     for (int corner = 0; corner < 3; ++corner)
         contact.weights[corner + 1] = -float(nearest.weights[corner]);

@@ -89,7 +89,7 @@ class SoftContacts {
         btScalar kept;  // distance of node and face, m
     };
     struct Body {
-        std::vector<Remembered> remembered;  // in the order of the nodes
+        std::vector<Remembered> remembered;  // in the order of the nodes and faces
         const Sheet* sheet = nullptr;        // null for guests
         std::vector<int> guests;             // index of each node; -1 for none
     };
