@@ -319,6 +319,7 @@ void SoftContacts::allowOverlap() {
         contact.allowed = std::max(0.0f, depthOf(contact) - contact.pressed);
         contact.gap += contact.allowed;
         contact.held = contact.renewedAt = apartOf(contact);
+        contact.depth = depthOf(contact);
     }
 }
 
@@ -363,14 +364,32 @@ void SoftContacts::advance() {
 }
 
 void SoftContacts::solve() {
-    for (Contact& contact : contacts_) {
-        if (contact.isTilted) renew(contact);
-        contact.push = contact.maxDrag = 0;
-    }
+    for (Contact& contact : contacts_) contact.push = contact.maxDrag = 0;
     constexpr int sweeps = 3;
     for (int sweep = 0; sweep < sweeps; ++sweep)
         for (Contact& contact : contacts_) pushApart(contact);
     for (Contact& contact : contacts_) rub(contact);
+    for (Contact& contact : contacts_) settle(contact);
+    for (Contact& contact : contacts_) {
+        if (contact.isTilted) renew(contact);
+        contact.depth = depthOf(contact);
+    }
+}
+
+// A large correction is not to become motion: a face that has pushed in this small step does not move quickly
+// away from the node. (Slow motion stays. Cloth that is lifted without velocity falls again, and never rests.)
+void SoftContacts::settle(Contact& contact) {
+    constexpr float slow = 0.2f;
+    const float opened = contact.depth - depthOf(contact) - slow * float(pairs_[contact.pair].margin);
+    if (!(contact.push > 0 && opened > 0 && opened < std::numeric_limits<float>::max())) return;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const btVector3 by = contact.normal * btScalar(opened * contact.weights[i] *
+                                                       contact.moved[i]->inverseMass / contact.response);
+        if (contact.sheets[i])
+            contact.sheets[i]->slow(contact.nodes[i], by);
+        else
+            guests_[contact.nodes[i]].before += by;
+    }
 }
 
 btVector3 SoftContacts::positionOf(const Contact& contact, std::size_t corner) const {

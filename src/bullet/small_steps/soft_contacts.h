@@ -106,6 +106,7 @@ class SoftContacts {
         btScalar side;     // as in Found
         btVector3 renewedAt;  // displacement apart for which the nearest point was found, m
         btVector3 held;    // where friction holds node and face: their displacement apart, m
+        float depth;       // at the end of the last small step, m
         float push;        // in the current small step, as the distance that it moves node and face apart, m
         float maxDrag;     // of friction, in the same unit
         float friction;    // friction coefficient
@@ -131,6 +132,7 @@ class SoftContacts {
     // @return position of the node at the start of the substep
     btVector3 place(Contact& contact, std::size_t corner, btSoftBody::Node& node, const btSoftBody& owner);
     void separate(Contact& contact, float margin);
+    void settle(Contact& contact);
     btVector3 positionOf(const Contact& contact, std::size_t corner) const;
     void renew(Contact& contact);
     static float responseOf(const Contact& contact);
