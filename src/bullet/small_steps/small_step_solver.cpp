@@ -323,7 +323,8 @@ void SmallStepSolver::State::begin(btScalar substep) {
     StopWatch watch;
     solids.clear();
     for (const Solving& each : sheets) {
-        each.sheet->contacts.addSolids(*each.body, each.mechanics->sheetFriction, each.mechanics->near, solids);
+        each.sheet->contacts.addSolids(*each.body, each.mechanics->sheetFriction, each.mechanics->near,
+                                       solids);
         each.sheet->anchors.addSolids(*each.body, each.mechanics->near, solids);
     }
     solids.begin(double(substep));

@@ -393,8 +393,9 @@ void SoftContacts::settle(Contact& contact) {
 }
 
 btVector3 SoftContacts::positionOf(const Contact& contact, std::size_t corner) const {
-    const btVector3 start = contact.sheets[corner] ? contact.sheets[corner]->startPosition(contact.nodes[corner])
-                                                   : guests_[contact.nodes[corner]].start;
+    const btVector3 start = contact.sheets[corner]
+                                ? contact.sheets[corner]->startPosition(contact.nodes[corner])
+                                : guests_[contact.nodes[corner]].start;
     return start + vectorOf(*contact.moved[corner]);
 }
 
@@ -417,8 +418,7 @@ void SoftContacts::renew(Contact& contact) {
     // Behind the face the node would be deep inside at once, and be thrown.
     if (!(normal.dot(contact.normal) > 0 && normal.dot(up) * contact.side >= 0)) return;
     contact.normal = normal;
-    for (int corner = 0; corner < 3; ++corner)
-        contact.weights[corner + 1] = -float(nearest.weights[corner]);
+    for (int corner = 0; corner < 3; ++corner) contact.weights[corner + 1] = -float(nearest.weights[corner]);
     contact.response = responseOf(contact);
     const btVector3 apart = contact.renewedAt = apartOf(contact);
     contact.held += apart - before;

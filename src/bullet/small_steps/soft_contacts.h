@@ -98,22 +98,22 @@ class SoftContacts {
         SmallStepSheet* sheets[4];  // of the node and of the three corners of the face; null for guests
         std::size_t nodes[4];       // indices, or those of guests
         MovingNode* moved[4];
-        float weights[4];  // 1 for the node, negative for the corners of the face
-        btVector3 normal;  // from the face to the node
-        float gap;         // at the start of the substep, m
-        float pressed;     // depth that may push, m
-        float allowed;     // overlap that does not push, m
-        btScalar side;     // as in Found
+        float weights[4];     // 1 for the node, negative for the corners of the face
+        btVector3 normal;     // from the face to the node
+        float gap;            // at the start of the substep, m
+        float pressed;        // depth that may push, m
+        float allowed;        // overlap that does not push, m
+        btScalar side;        // as in Found
         btVector3 renewedAt;  // displacement apart for which the nearest point was found, m
-        btVector3 held;    // where friction holds node and face: their displacement apart, m
-        float depth;       // at the end of the last small step, m
-        float push;        // in the current small step, as the distance that it moves node and face apart, m
-        float maxDrag;     // of friction, in the same unit
-        float friction;    // friction coefficient
-        float response;    // to an impulse along the normal, 1/kg
-        float adhesion;    // adhesive force, N
-        float reach;       // of adhesion, m
-        bool isTilted;  // as in Found
+        btVector3 held;       // where friction holds node and face: their displacement apart, m
+        float depth;          // at the end of the last small step, m
+        float push;      // in the current small step, as the distance that it moves node and face apart, m
+        float maxDrag;   // of friction, in the same unit
+        float friction;  // friction coefficient
+        float response;  // to an impulse along the normal, 1/kg
+        float adhesion;  // adhesive force, N
+        float reach;     // of adhesion, m
+        bool isTilted;   // as in Found
         bool adheres;
         bool touched;
     };
