@@ -67,9 +67,10 @@ void DeformableSheet::recut(const btDiscreteDynamicsWorld& world, const btSoftBo
                             const SheetMechanics& mechanics, std::vector<double> dryMasses,
                             double stiffestStretch, double stiffestBending) {
     force_->leave();
-    const bool replaced = collisionsReplaced_;
+    const bool replaced = collisionsReplaced_, softReplaced = softCollisionsReplaced_;
     *this = DeformableSheet(world, body, mechanics, std::move(dryMasses), stiffestStretch, stiffestBending);
     collisionsReplaced_ = replaced;
+    softCollisionsReplaced_ = softReplaced;
 }
 
 double DeformableSheet::stepBound() const {
@@ -106,6 +107,11 @@ void DeformableSheet::write(btSoftBody& body) {
         body.m_cfg.collisions = (body.m_cfg.collisions & ~Collision::SDF_RS) | deformableCollisions;
         collisionsReplaced_ = true;
     }
+    // This world has contacts of soft bodies only with VF_DD alone.
+    if (body.m_cfg.collisions & Collision::VF_SS) {
+        body.m_cfg.collisions = (body.m_cfg.collisions & ~Collision::VF_SS) | Collision::VF_DD;
+        softCollisionsReplaced_ = true;
+    }
     // An implicit step starts from the velocity at the end of the previous one, and would lose what has been
     // added since: the momentum of water and wind.
     for (int n = 0; n < body.m_nodes.size(); ++n) body.m_nodes[n].m_vn = body.m_nodes[n].m_v;
@@ -116,6 +122,8 @@ void DeformableSheet::restore(btSoftBody& body) {
     if (collisionsReplaced_ &&
         (body.m_cfg.collisions & (Collision::RVSmask | deformableCollisions)) == deformableCollisions)
         body.m_cfg.collisions = (body.m_cfg.collisions & ~deformableCollisions) | Collision::SDF_RS;
+    if (softCollisionsReplaced_ && (body.m_cfg.collisions & Collision::SVSmask) == Collision::VF_DD)
+        body.m_cfg.collisions = (body.m_cfg.collisions & ~Collision::VF_DD) | Collision::VF_SS;
 }
 
 void DeformableSheet::end(const btSoftBody* body) {

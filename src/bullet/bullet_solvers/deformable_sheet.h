@@ -50,6 +50,7 @@ class DeformableSheet {
     double explicitBound_;  // s
     DeformableMode mode_;
     bool collisionsReplaced_ = false;
+    bool softCollisionsReplaced_ = false;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

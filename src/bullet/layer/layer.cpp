@@ -124,10 +124,8 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
 
 WetCloth::Layer::~Layer() {
     const bool bodyIsAlive = watch.bodyIsAlive();
-    if (bodyIsAlive && topology.hasMoved(body)) {  // cut since the last substep
-        topology.follow(body);
-        keepFaceTree(body);
-    }
+    if (bodyIsAlive && topology.hasMoved(body)) topology.follow(body);  // cut since the last substep
+    if (bodyIsAlive) keepFaceTree(body);                                // from here on Bullet needs it
     if (bodyIsAlive) savedState.restore(body, dryMasses());
     if (!deformable) return;
     if (bodyIsAlive) deformable->restore(body);
@@ -245,7 +243,8 @@ void WetCloth::Layer::substep(btScalar dt) {
         return;
     }
     checkBeforeStep(dt);
-    keepPrimed(body, mechanics.shape);
+    keepPrimed(body, mechanics.shape,
+               deformable || (!mechanics.movedBySmallSteps && meetsSoftBodies(world, body)));
     savedState.silenceAero(body);
     const double bodyStep = bodyStepOf(dt);
     time += bodyStep;

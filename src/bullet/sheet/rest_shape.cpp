@@ -35,8 +35,8 @@ void keepFaceTree(btSoftBody& body) {
     if (wantsFaceTree && body.m_fdbvt.empty()) makeFaceTree(body);
 }
 
-void keepPrimed(btSoftBody& body, const RestShape& shape) {
-    keepFaceTree(body);
+void keepPrimed(btSoftBody& body, const RestShape& shape, bool meetsSoftBodies) {
+    if (meetsSoftBodies) keepFaceTree(body);
     if (!body.m_bUpdateRtCst) return;
     body.m_bUpdateRtCst = false;
     writeRestLengths(body, shape);

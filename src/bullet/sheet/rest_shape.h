@@ -56,7 +56,8 @@ void keepFaceTree(btSoftBody& body);
 
 // The same, and cancels a request to prime the body again. setMass leaves such a request behind, which would
 // make the present, stretched lengths the rest lengths.
-void keepPrimed(btSoftBody& body, const RestShape& shape);
+// @param meetsSoftBodies  whether Bullet may search for contacts in the face tree
+void keepPrimed(btSoftBody& body, const RestShape& shape, bool meetsSoftBodies);
 
 // Reads the rest shape from Bullet's values or, for a body that still waits to be primed, from the present
 // positions. Changes nothing.

@@ -59,6 +59,8 @@ class SmallStepSheet {
     }
     // Moves a node without changing its velocity.
     void place(std::size_t node, const btVector3& by);
+    // Takes a displacement per small step from the velocity of a node, without moving it.
+    void slow(std::size_t node, const btVector3& by) { shift(predicted_[node], by); }
     // Position of a node at the start of the substep, m, relative to an origin near the sheet.
     const MovingNode& start(std::size_t node) const { return start_[node]; }
     // The same in world coordinates.

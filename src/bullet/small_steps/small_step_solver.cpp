@@ -146,36 +146,6 @@ bool areNear(const btSoftBody& body, const btCollisionObject& solid) {
            TestAabbAgainstAabb2(one->m_aabbMin, one->m_aabbMax, other->m_aabbMin, other->m_aabbMax);
 }
 
-// Prepares the trees and nodes in which Bullet searches for contacts of soft bodies, so that it finds those
-// that are possible within the substep, and those within the reach of adhesion: around each node Bullet
-// searches twice the distance from m_x to m_q.
-void prepareSoftContacts(btSoftBody& body, const SmallStepSheet& cloth, const Friction& sheetFriction) {
-    if (body.m_fdbvt.empty()) makeFaceTree(body);  // otherwise made in the first stock step
-    const btScalar margin = body.getCollisionShape()->getMargin();
-    ATTRIBUTE_ALIGNED16(btDbvtVolume) volume;
-    btScalar farthest = 0;
-    for (std::size_t n = 0; n < cloth.size(); ++n) {
-        btSoftBody::Node& node = body.m_nodes[static_cast<int>(n)];
-        const btScalar adhesionReach =
-            sheetFriction.adheresToCloth[n] ? btScalar(sheetFriction.reach()) : btScalar(0);
-        const btScalar length = vectorOf(cloth.reach(n)).length() + adhesionReach;
-        farthest = std::max(farthest, length);
-        node.m_q = node.m_x - btVector3(length / 2, 0, 0);
-        volume = btDbvtVolume::FromCR(node.m_x, margin + length);
-        body.m_ndbvt.update(node.m_leaf, volume);
-    }
-    for (int f = 0; f < body.m_faces.size(); ++f) {
-        btSoftBody::Face& face = body.m_faces[f];
-        if (!face.m_leaf) continue;
-        const btVector3* corners[] = {&face.m_n[0]->m_x, &face.m_n[1]->m_x, &face.m_n[2]->m_x};
-        volume = btDbvtVolume::FromPoints(corners, 3);
-        volume.Expand(btVector3(margin + farthest, margin + farthest, margin + farthest));
-        body.m_fdbvt.update(face.m_leaf, volume);
-    }
-    body.m_ndbvt.optimizeIncremental(1);
-    body.m_fdbvt.optimizeIncremental(1);
-}
-
 }  // namespace
 
 struct SmallStepSolver::State {
@@ -229,6 +199,7 @@ void SmallStepSolver::predictMotion(btScalar substep) {
     const btSoftBody* first = nullptr;  // of those moved here
     for (int i = 0; i < m_softBodySet.size(); ++i) {
         btSoftBody& body = *m_softBodySet[i];
+        state_->softContacts.remember(body);
         if (!body.isActive()) continue;
         SheetMechanics* const mechanics = mechanicsOf(body);
         if (!mechanics) {
@@ -252,6 +223,8 @@ void SmallStepSolver::State::findMovers(btSoftBody& body, btScalar substep) {
 
 void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics, btScalar substep) {
     if (!mechanics.moving) mechanics.moving = std::make_shared<MovingSheet>(mechanics);
+    // Made when the sheet first comes near another soft body; see processCollision.
+    if (!mechanics.movedBySmallSteps) dropFaceTree(body);
     mechanics.movedBySmallSteps = true;
     MovingSheet& sheet = *mechanics.moving;
     sheet.nodes = &body.m_nodes[0];
@@ -270,8 +243,7 @@ void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics
     while (body.m_rcontacts.size() > 0) body.m_rcontacts.pop_back();
     body.m_scontacts.resize(0);
     writeBounds(body, mechanics, movers);
-    if (body.m_cfg.collisions & btSoftBody::fCollision::VF_SS)
-        prepareSoftContacts(body, sheet.cloth, mechanics.sheetFriction);
+    if (!body.m_fdbvt.empty()) prepareFaceTree(body, sheet.cloth);
     mechanics.times.solver += watch.lap();
 }
 
@@ -290,9 +262,18 @@ void SmallStepSolver::processCollision(btSoftBody* body, btSoftBody* other) {
     if (!mechanics && !others) return btDefaultSoftBodySolver::processCollision(body, other);
     using Collision = btSoftBody::fCollision;
     if (body == other || !(body->m_cfg.collisions & other->m_cfg.collisions & Collision::VF_SS)) return;
+    if (!areNear(*body, *other)) return;
     StopWatch watch;
-    state_->softContacts.find(*body, *other);
-    state_->softContacts.find(*other, *body);
+    for (SheetMechanics* const each : {mechanics, others}) {
+        btSoftBody& of = each == mechanics ? *body : *other;
+        if (!each || !of.m_fdbvt.empty()) continue;
+        makeFaceTree(of);
+        prepareFaceTree(of, each->moving->cloth);
+    }
+    const auto clothOf = [](const SheetMechanics* of) { return of ? &of->moving->cloth : nullptr; };
+    const auto frictionOf = [](const SheetMechanics* of) { return of ? &of->sheetFriction : nullptr; };
+    state_->softContacts.find(*body, *other, clothOf(mechanics), frictionOf(mechanics));
+    state_->softContacts.find(*other, *body, clothOf(others), frictionOf(others));
     const double took = watch.lap();
     const bool both = mechanics && others;
     for (SheetMechanics* const each : {mechanics, others})
@@ -342,23 +323,28 @@ void SmallStepSolver::State::begin(btScalar substep) {
     StopWatch watch;
     solids.clear();
     for (const Solving& each : sheets) {
-        each.sheet->contacts.addSolids(*each.body, each.mechanics->sheetFriction, each.mechanics->near, solids);
+        each.sheet->contacts.addSolids(*each.body, each.mechanics->sheetFriction, each.mechanics->near,
+                                       solids);
         each.sheet->anchors.addSolids(*each.body, each.mechanics->near, solids);
     }
     solids.begin(double(substep));
     share(&StepTimes::contacts, watch.lap());
     softSheets.clear();
+    for (const Solving& each : sheets) {
+        each.sheet->cloth.divide(*each.mechanics, steps);
+        softSheets.push_back({each.body, &each.sheet->cloth, &each.mechanics->sheetFriction});
+    }
+    share(&StepTimes::solver, watch.lap());
+    softContacts.begin(softSheets, double(substep), steps);
+    share(&StepTimes::contacts, watch.lap());
     for (const Solving& each : sheets) beginSheet(each);
     watch.lap();
-    softContacts.begin(softSheets, double(substep), steps);
+    softContacts.allowOverlap();
     share(&StepTimes::contacts, watch.lap());
 }
 
 void SmallStepSolver::State::beginSheet(const Solving& each) {
     StopWatch watch;
-    softSheets.push_back({each.body, &each.sheet->cloth, &each.mechanics->sheetFriction});
-    each.sheet->cloth.divide(*each.mechanics, steps);
-    each.mechanics->times.solver += watch.lap();
     each.sheet->contacts.begin(*each.body, each.sheet->cloth, each.mechanics->sheetFriction, solids);
     each.mechanics->times.contacts += watch.lap();
     each.sheet->anchors.begin(*each.body, each.sheet->cloth, solids);

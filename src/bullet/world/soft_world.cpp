@@ -64,6 +64,15 @@ const btAlignedObjectArray<btSoftBody*>& softBodiesOf(btDiscreteDynamicsWorld& w
     });
 }
 
+bool meetsSoftBodies(btDiscreteDynamicsWorld& world, const btSoftBody& body) {
+    const auto& all = softBodiesOf(world);
+    for (int i = 0; i < all.size(); ++i)
+        if (all[i] != &body &&
+            (all[i]->m_cfg.collisions & body.m_cfg.collisions & btSoftBody::fCollision::VF_SS))
+            return true;
+    return false;
+}
+
 const btSoftBodyWorldInfo& worldInfoOf(btDiscreteDynamicsWorld& world) {
     return withSoftWorld(world,
                          [](auto& known) -> const btSoftBodyWorldInfo& { return known.getWorldInfo(); });

@@ -21,6 +21,9 @@ bool isDeformable(const btDiscreteDynamicsWorld& world);
 // Its soft bodies. @pre the world has been checked
 const btAlignedObjectArray<btSoftBody*>& softBodiesOf(btDiscreteDynamicsWorld& world);
 
+// Whether Bullet may search for contacts of a body with another soft body. @pre the world has been checked
+bool meetsSoftBodies(btDiscreteDynamicsWorld& world, const btSoftBody& body);
+
 // The world info of its soft bodies. @pre the world has been checked
 const btSoftBodyWorldInfo& worldInfoOf(btDiscreteDynamicsWorld& world);
 
