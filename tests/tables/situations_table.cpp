@@ -50,6 +50,7 @@ void printRow(SolidKind kind, SolidLoad load) {
             std::printf(" |");
     }
     std::printf("\n");
+    std::fflush(stdout);
 }
 
 }  // namespace
