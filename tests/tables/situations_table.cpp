@@ -58,7 +58,9 @@ void printRow(SolidKind kind, SolidLoad load) {
 
 int main() {
     using namespace drench::test;
-    std::printf("| solid | motion | deepest node, small steps | speed or momentum | deepest node, stock | speed or momentum |\n");
+    std::printf(
+        "| solid | motion | deepest node, small steps | speed or momentum | deepest node, stock | speed or "
+        "momentum |\n");
     std::printf("|-|-|-|-|-|-|\n");
     for (const SolidKind kind : allKinds())
         for (const SolidLoad load : allLoads()) printRow(kind, load);

@@ -15,7 +15,8 @@ namespace {
 
 bool isJump(const Twist& motion, btScalar time) {
     const btScalar distance = motion.linear.length();
-    return (distance > btScalar(NearSolids::jumpDistance) && distance > btScalar(NearSolids::jumpSpeed) * time) ||
+    return (distance > btScalar(NearSolids::jumpDistance) &&
+            distance > btScalar(NearSolids::jumpSpeed) * time) ||
            motion.angular.length() > btScalar(NearSolids::jumpTurn);
 }
 

@@ -56,9 +56,7 @@ class NearSolids {
         bool operator<(const Seen& other) const {
             return number != other.number ? number < other.number : object < other.object;
         }
-        bool operator==(const Seen& other) const {
-            return number == other.number && object == other.object;
-        }
+        bool operator==(const Seen& other) const { return number == other.number && object == other.object; }
     };
     class Finder;
     void add(const btCollisionObject& object);

@@ -14,10 +14,7 @@ namespace {
 class TrianglesInBox final : public btTriangleCallback {
   public:
     TrianglesInBox(std::vector<SolidPart>& parts, const btTransform& inSolid, const Bounds& box)
-        : parts_(parts),
-          inSolid_(inSolid),
-          isWholeSolid_(inSolid == btTransform::getIdentity()),
-          box_(box) {}
+        : parts_(parts), inSolid_(inSolid), isWholeSolid_(inSolid == btTransform::getIdentity()), box_(box) {}
 
     void processTriangle(btVector3* corners, int, int) override {
         std::array<btVector3, 3> placed = {corners[0], corners[1], corners[2]};

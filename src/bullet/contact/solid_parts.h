@@ -15,8 +15,8 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 // A convex shape, or a triangle of a mesh or height field.
 struct SolidPart {
-    const btConvexShape* convex;  // null for a triangle
-    btTransform inSolid;          // frame of the convex shape, in the coordinates of the solid
+    const btConvexShape* convex;       // null for a triangle
+    btTransform inSolid;               // frame of the convex shape, in the coordinates of the solid
     std::array<btVector3, 3> corners;  // of the triangle, in the coordinates of the solid, m
     Bounds bounds;                     // around the part, in the coordinates of the solid
 

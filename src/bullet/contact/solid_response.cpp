@@ -42,7 +42,8 @@ class LinkImpulses {
         std::vector<btScalar> sum(size(), 0);
         for (int i = 0; i < 6; ++i) {
             const btScalar part = (i < 3 ? impulse.force : impulse.torque)[i % 3];
-            for (std::size_t k = 0; k < size(); ++k) sum[k] += part * velocities_[std::size_t(i) * size() + k];
+            for (std::size_t k = 0; k < size(); ++k)
+                sum[k] += part * velocities_[std::size_t(i) * size() + k];
         }
         return sum;
     }
@@ -82,7 +83,8 @@ SolidResponse::SolidResponse(const btCollisionObject& object) {
 
 void SolidResponse::readRigidBody(const btCollisionObject& object) {
     const btRigidBody* const body = btRigidBody::upcast(&object);
-    if (!body || body->isStaticOrKinematicObject() || body->getActivationState() == DISABLE_SIMULATION) return;
+    if (!body || body->isStaticOrKinematicObject() || body->getActivationState() == DISABLE_SIMULATION)
+        return;
     inverseMass_ = body->getInvMass();
     linearFactor_ = body->getLinearFactor();
     angularFactor_ = body->getAngularFactor();

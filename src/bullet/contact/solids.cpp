@@ -89,7 +89,8 @@ void Solid::finish(btDispatcher* dispatcher) {
     if (!isMovable()) return SolidResponse::wake(*object_);
     // The reaction of a sheet that became unstable, and was held at its position, must not affect other
     // bodies.
-    const btScalar all = size(added_.linear) + size(added_.angular) + size(shift_.linear) + size(shift_.angular);
+    const btScalar all =
+        size(added_.linear) + size(added_.angular) + size(shift_.linear) + size(shift_.angular);
     if (!(double(all) <= fastestNode)) return;
     SolidResponse::apply(*object_, pushes_, touchesSolids(*object_, dispatcher) ? nullptr : &displacing_);
 }

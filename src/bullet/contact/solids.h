@@ -56,10 +56,13 @@ class Solid {
         return isStill_ ? btVector3(0, 0, 0) : moved_ + (turned(arm) - arm) + shiftOf(arm);
     }
     // The part of it that impulses have caused.
-    btVector3 shiftOf(const btVector3& arm) const { return shift_.linear + shift_.angular.cross(turned(arm)); }
+    btVector3 shiftOf(const btVector3& arm) const {
+        return shift_.linear + shift_.angular.cross(turned(arm));
+    }
     // Displacement of that point in a small step.
     btVector3 step(const btVector3& arm) const {
-        return (own_.linear + added_.linear + (own_.angular + added_.angular).cross(turned(arm))) * smallStep_;
+        return (own_.linear + added_.linear + (own_.angular + added_.angular).cross(turned(arm))) *
+               smallStep_;
     }
     // Its pose now, and at the start of the small step.
     btTransform pose() const { return poseAt(elapsed_, shift_); }
@@ -79,11 +82,11 @@ class Solid {
     btCollisionObject* object_;
     SolidPath path_;
     SolidResponse response_;
-    Twist own_;                       // its own velocities, m/s and rad/s
-    Twist added_;                     // velocities by impulses, m/s and rad/s
-    Twist shift_, shiftBefore_;       // displacement by impulses, m and rad; at the start of the small step
-    Wrench pushes_, displacing_;      // sums of impulses, N s, and of impulses times the time since, N s2
-    btVector3 moved_ = {0, 0, 0};     // displacement of the centre of mass along the path, m
+    Twist own_;                    // its own velocities, m/s and rad/s
+    Twist added_;                  // velocities by impulses, m/s and rad/s
+    Twist shift_, shiftBefore_;    // displacement by impulses, m and rad; at the start of the small step
+    Wrench pushes_, displacing_;   // sums of impulses, N s, and of impulses times the time since, N s2
+    btVector3 moved_ = {0, 0, 0};  // displacement of the centre of mass along the path, m
     btMatrix3x3 turn_ = btMatrix3x3::getIdentity();  // since the start of the substep
     bool isStill_ = true;
     bool isMoving_ = false, isTurning_ = false, isTouched_ = false;

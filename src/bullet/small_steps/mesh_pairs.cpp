@@ -42,7 +42,8 @@ class MeshPairs::Algorithm final : public btCollisionAlgorithm {
                           const btDispatcherInfo& info, btManifoldResult* result) override {
         auto* const first = const_cast<btCollisionObject*>(one->getCollisionObject());
         auto* const second = const_cast<btCollisionObject*>(other->getCollisionObject());
-        btSoftBody* const body = btSoftBody::upcast(first) ? btSoftBody::upcast(first) : btSoftBody::upcast(second);
+        btSoftBody* const body =
+            btSoftBody::upcast(first) ? btSoftBody::upcast(first) : btSoftBody::upcast(second);
         if (!body || !known_->isMoved(*body)) {
             if (!own_) own_ = m_dispatcher->findAlgorithm(one, other, nullptr, BT_CONTACT_POINT_ALGORITHMS);
             if (own_) own_->processCollision(one, other, info, result);

@@ -71,16 +71,16 @@ bool SolidContacts::isThere(const btSoftBody& body, const Met& met) const {
 
 void SolidContacts::addSolids(const btSoftBody& body, const Friction& sheetFriction, const NearSolids& near,
                               Solids& solids) {
-    met_.erase(std::remove_if(met_.begin(), met_.end(),
-                              [&](const Met& met) { return !isThere(body, met); }),
+    met_.erase(std::remove_if(met_.begin(), met_.end(), [&](const Met& met) { return !isThere(body, met); }),
                met_.end());
     // Bullet reports solids in the order in which they first met, which is unknown to restored sheets.
     std::sort(met_.begin(), met_.end(), [](const Met& a, const Met& b) {
         return a.object->getWorldArrayIndex() < b.object->getWorldArrayIndex();
     });
     for (const Met& met : met_) {
-        const SolidPath path = movesInStep(*met.object) ? SolidPath{met.start, met.object->getWorldTransform()}
-                                                        : near.pathOf(*met.object);
+        const SolidPath path = movesInStep(*met.object)
+                                   ? SolidPath{met.start, met.object->getWorldTransform()}
+                                   : near.pathOf(*met.object);
         // Bullet passes solids as const, although they may be pushed.
         auto& object = *const_cast<btCollisionObject*>(met.object);
         touching_.push_back({solids.add(object, path), sheetFriction.surfaceAt(object, body.m_cfg.kDF)});
@@ -107,8 +107,7 @@ void SolidContacts::begin(btSoftBody& body, SmallStepSheet& sheet, const Frictio
         sights_.clear();
         for (std::size_t i = 0; i < of.candidates; ++i) {
             const Candidate& candidate = candidates_[of.firstCandidate + i];
-            sights_.push_back(
-                {of.firstCandidate + i, candidate.distance, candidate.normal, candidate.reach});
+            sights_.push_back({of.firstCandidate + i, candidate.distance, candidate.normal, candidate.reach});
         }
         choose(of, start, startPoses_);
         writeContacts(of, start, startPoses_, sheet, solids);
@@ -133,7 +132,8 @@ void SolidContacts::find(const SmallStepSheet& sheet, const Solid& solid, std::s
     const Twist motion = solid.path().motion();
     Search search = {sheet, solid, touching, {}, motion.angular.length(), sheet.farthestPull()};
     shape.getAabb(btTransform::getIdentity(), search.bounds.low, search.bounds.high);
-    search.pull += ((sheet.meanReach() - motion.linear).length() + search.turn * search.bounds.halfDiagonal()) / 2;
+    search.pull +=
+        ((sheet.meanReach() - motion.linear).length() + search.turn * search.bounds.halfDiagonal()) / 2;
     const btScalar around = slack * margin_ + search.pull + (sheetFriction_->canAdhere() ? reach_ : 0);
     if (shape.isConvex()) gather(shape, search.bounds);
     for (std::size_t group = 0; group < sheet.bounds().size(); ++group) {
@@ -203,7 +203,8 @@ void SolidContacts::gatherNodes() {
     planes_.resize(slots);
 }
 
-void SolidContacts::choose(NodeContacts& of, const btVector3& position, const std::vector<btTransform>& poses) {
+void SolidContacts::choose(NodeContacts& of, const btVector3& position,
+                           const std::vector<btTransform>& poses) {
     chosen_.clear();
     if (sights_.size() > 1)
         std::sort(sights_.begin(), sights_.end(), [](const Sight& a, const Sight& b) {
@@ -231,7 +232,8 @@ bool SolidContacts::rises(Sight& other, const btVector3& position,
     const btVector3 local = pose.invXform(position);
     const btVector3 normal = normalOfTriangle(part.corners, local);
     const btScalar height = normal.dot(local - part.corners[0]);
-    const btScalar beside = std::sqrt(std::max(btScalar(0), other.distance * other.distance - height * height));
+    const btScalar beside =
+        std::sqrt(std::max(btScalar(0), other.distance * other.distance - height * height));
     if (beside > other.reach + margin_ / 4) return false;
     other.normal = pose.getBasis() * normal;
     other.distance = height;
@@ -259,8 +261,7 @@ void SolidContacts::writeContacts(const NodeContacts& of, const btVector3& posit
         contact.friction = float(sheetFriction_->friction(touching.surface, of.node));
         // A face of the cloth adheres only once.
         const bool isFirstOfFace = i == 0 || chosen_.front().normal.dot(sight.normal) <= otherFace;
-        contact.adhesion =
-            isFirstOfFace ? float(sheetFriction_->adhesion(touching.surface, of.node)) : 0.0f;
+        contact.adhesion = isFirstOfFace ? float(sheetFriction_->adhesion(touching.surface, of.node)) : 0.0f;
         contact.adheres = contact.adhesion > 0 && sheetFriction_->adheresTo[of.node] == &solid.object();
         const btTransform& pose = poses[candidate.touching];
         writePlane(of.firstContact + i, pose.invXform(position - sight.normal * sight.distance),
@@ -434,11 +435,13 @@ bool SolidContacts::reaches(const NodeContacts& of, std::size_t contact, SmallSt
 }
 
 // The nearest surface point of the candidates of a node on one solid, in the coordinates of the solid.
-SurfacePoint SolidContacts::nearestOf(const NodeContacts& of, std::size_t touching, const btVector3& point) const {
+SurfacePoint SolidContacts::nearestOf(const NodeContacts& of, std::size_t touching,
+                                      const btVector3& point) const {
     SurfacePoint nearest = {BT_LARGE_FLOAT, {0, 1, 0}};
     for (std::size_t i = of.firstCandidate; i < of.firstCandidate + of.candidates; ++i) {
         if (candidates_[i].touching != touching) continue;
-        const SurfacePoint found = nearestOn(parts_[candidates_[i].part], point, body_->m_worldInfo->m_sparsesdf);
+        const SurfacePoint found =
+            nearestOn(parts_[candidates_[i].part], point, body_->m_worldInfo->m_sparsesdf);
         if (found.distance < nearest.distance) nearest = found;
     }
     return nearest;

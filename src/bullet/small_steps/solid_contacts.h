@@ -30,7 +30,8 @@ class SolidContacts {
     void meet(const btCollisionObject& object);
 
     // Adds the solids that are still there: the application's callbacks may have removed some since Bullet reported them.
-    void addSolids(const btSoftBody& body, const Friction& sheetFriction, const NearSolids& near, Solids& solids);
+    void addSolids(const btSoftBody& body, const Friction& sheetFriction, const NearSolids& near,
+                   Solids& solids);
     // Finds the nodes that might touch a solid within the substep, or adhere to it, and moves nodes out of solids that
     // they start in. @pre the solids have begun
     void begin(btSoftBody& body, SmallStepSheet& sheet, const Friction& sheetFriction, const Solids& solids);
@@ -55,9 +56,9 @@ class SolidContacts {
     struct Candidate {
         std::size_t node, part, touching;  // indices
         std::size_t rank;                  // in the order in which they were found
-        btScalar distance;  // of the node at the start of the substep, m
-        btVector3 normal;   // then, in the world
-        btScalar reach;     // how far the node may move along the solid in the substep, m
+        btScalar distance;                 // of the node at the start of the substep, m
+        btVector3 normal;                  // then, in the world
+        btScalar reach;                    // how far the node may move along the solid in the substep, m
     };
     // A part as seen from a node at some time.
     struct Sight {
@@ -67,12 +68,12 @@ class SolidContacts {
         btScalar reach;     // how far the node may move along the solid, m
     };
     struct Contact {
-        float normal[3];  // at the start of the substep
-        float gap;        // from the plane to the node, both at the start of the substep, m
-        float found[3];   // displacement of the node along the solid when the plane was found, m
-        float friction;   // friction coefficient
-        float adhesion;   // adhesive force, N
-        float response;   // of the solid, 1/kg
+        float normal[3];      // at the start of the substep
+        float gap;            // from the plane to the node, both at the start of the substep, m
+        float found[3];       // displacement of the node along the solid when the plane was found, m
+        float friction;       // friction coefficient
+        float adhesion;       // adhesive force, N
+        float response;       // of the solid, 1/kg
         std::uint32_t solid;  // index
         bool adheres;
         bool touched;
@@ -104,8 +105,8 @@ class SolidContacts {
     // @param poses  of the touching solids
     void choose(NodeContacts& of, const btVector3& position, const std::vector<btTransform>& poses);
     bool rises(Sight& other, const btVector3& position, const std::vector<btTransform>& poses) const;
-    void writeContacts(const NodeContacts& of, const btVector3& position, const std::vector<btTransform>& poses,
-                       SmallStepSheet& sheet, const Solids& solids);
+    void writeContacts(const NodeContacts& of, const btVector3& position,
+                       const std::vector<btTransform>& poses, SmallStepSheet& sheet, const Solids& solids);
     void writePlane(std::size_t contact, const btVector3& point, const btVector3& normal, std::size_t n,
                     SmallStepSheet& sheet, const Solid& solid);
 
@@ -136,12 +137,13 @@ class SolidContacts {
     std::vector<Plane> planes_;  // at the same index
     // For use within functions.
     std::vector<SolidPart> gathered_;
-    PartsInRows rows_;                // of gathered_
-    std::vector<std::size_t> keptAs_; // index in parts_ of each of gathered_
+    PartsInRows rows_;                 // of gathered_
+    std::vector<std::size_t> keptAs_;  // index in parts_ of each of gathered_
     std::vector<Sight> sights_, chosen_;
     std::vector<Contact> contactsBefore_;  // of a node, while its planes are found again
     std::vector<Plane> planesBefore_;
-    std::vector<btTransform> startPoses_, poses_;  // of touching_: at the start of the substep and of the small step
+    std::vector<btTransform> startPoses_,
+        poses_;  // of touching_: at the start of the substep and of the small step
     bool posesAreOfThisStep_ = false;
 };
 

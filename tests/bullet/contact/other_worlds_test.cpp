@@ -41,7 +41,8 @@ class Place {
     Place(const Place&) = delete;
     Place& operator=(const Place&) = delete;
 
-    btRigidBody& add(btCollisionShape& shape, const btTransform& pose, bool isKinematic = false, double friction = 1) {
+    btRigidBody& add(btCollisionShape& shape, const btTransform& pose, bool isKinematic = false,
+                     double friction = 1) {
         states_.push_back(std::make_unique<btDefaultMotionState>(pose));
         bodies_.push_back(std::make_unique<btRigidBody>(
             btRigidBody::btRigidBodyConstructionInfo(0, states_.back().get(), &shape)));
@@ -70,8 +71,8 @@ class Place {
     void lay(double side, const btVector3& centre, int nodes, const SheetSettings& settings = {}) {
         const btScalar half = btScalar(side) / 2;
         sheet = makeSheet(world.getWorldInfo(), fabrics::cottonPlain(),
-                          flatCorners(centre - btVector3(half, 0, half), {2 * half, 0, 0}, {0, 0, 2 * half}), nodes,
-                          nodes);
+                          flatCorners(centre - btVector3(half, 0, half), {2 * half, 0, 0}, {0, 0, 2 * half}),
+                          nodes, nodes);
         world.addSoftBody(sheet.get());
         cloth = std::make_unique<WetCloth>(world, *sheet, fabrics::cottonPlain(), settings);
     }
@@ -79,7 +80,8 @@ class Place {
     void hang(double side, double height, int nodes) {
         const auto length = btScalar(side);
         sheet = makeSheet(world.getWorldInfo(), fabrics::cottonPlain(),
-                          flatCorners({-length / 2, btScalar(height), 0}, {length, 0, 0}, {0, -length, 0}), nodes, nodes);
+                          flatCorners({-length / 2, btScalar(height), 0}, {length, 0, 0}, {0, -length, 0}),
+                          nodes, nodes);
         world.addSoftBody(sheet.get());
         cloth = std::make_unique<WetCloth>(world, *sheet, fabrics::cottonPlain());
     }
@@ -92,12 +94,14 @@ class Place {
     }
     double lowest() const {
         double low = 1e9;
-        for (int n = 0; n < sheet->m_nodes.size(); ++n) low = std::min(low, double(sheet->m_nodes[n].m_x.y()));
+        for (int n = 0; n < sheet->m_nodes.size(); ++n)
+            low = std::min(low, double(sheet->m_nodes[n].m_x.y()));
         return low;
     }
     double fastest() const {
         double fast = 0;
-        for (int n = 0; n < sheet->m_nodes.size(); ++n) fast = std::max(fast, double(sheet->m_nodes[n].m_v.length()));
+        for (int n = 0; n < sheet->m_nodes.size(); ++n)
+            fast = std::max(fast, double(sheet->m_nodes[n].m_v.length()));
         return fast;
     }
 
@@ -229,7 +233,8 @@ TEST(OtherWorlds, AMeshInACompoundIsWhereTheCompoundPutsIt) {
         place.add(outer, at(0, 0, 0));
         place.lay(0.2, {0, btScalar(0.1), 0}, 5);
         place.step(120);
-        EXPECT_NEAR(place.lowest(), double(place.sheet->getCollisionShape()->getMargin()), 1e-3) << upsideDown;
+        EXPECT_NEAR(place.lowest(), double(place.sheet->getCollisionShape()->getMargin()), 1e-3)
+            << upsideDown;
     }
 }
 
@@ -253,7 +258,8 @@ TEST(OtherWorlds, AMeshThatIsRefittedOrScaledCarriesTheClothAlong) {
             setHeight(triangles, height);
             mesh.refitTree({-1, -1, -1}, {1, 1, 1});
         });
-        EXPECT_NEAR(place.lowest(), double(height) + double(place.sheet->getCollisionShape()->getMargin()), 2e-3)
+        EXPECT_NEAR(place.lowest(), double(height) + double(place.sheet->getCollisionShape()->getMargin()),
+                    2e-3)
             << isScaled;
         if (!isScaled) {
             setHeight(triangles, btScalar(0.1));
@@ -280,7 +286,8 @@ TEST(OtherWorlds, AHeightFieldMayBeEditedAndMayBeLarge) {
             height += btScalar(0.002);
             std::fill(heights.begin(), heights.end(), height);
         });
-        EXPECT_NEAR(place.lowest(), double(height) + double(place.sheet->getCollisionShape()->getMargin()), 3e-3)
+        EXPECT_NEAR(place.lowest(), double(height) + double(place.sheet->getCollisionShape()->getMargin()),
+                    3e-3)
             << column;
     }
 }
@@ -315,12 +322,14 @@ TEST(OtherWorlds, ClothStaysOnAFloorThatDrives) {
     addGround(triangles, 0, 8, 2);
     btBvhTriangleMeshShape mesh(&triangles, true);
     btBoxShape box({1, btScalar(0.1), 1});
-    for (const btVector3& velocity : {btVector3(2, 0, 0), btVector3(0, -10, 0), btVector3(0, 10, 0), btVector3(20, 0, 0)})
+    for (const btVector3& velocity :
+         {btVector3(2, 0, 0), btVector3(0, -10, 0), btVector3(0, 10, 0), btVector3(20, 0, 0)})
         for (const bool isMesh : {false, true})
             for (const int substeps : {1, 4}) {
                 Place place;
                 const btTransform start = isMesh ? at(0, 0, 0) : at(0, -0.1, 0);
-                btRigidBody& floor = place.add(isMesh ? static_cast<btCollisionShape&>(mesh) : box, start, true);
+                btRigidBody& floor =
+                    place.add(isMesh ? static_cast<btCollisionShape&>(mesh) : box, start, true);
                 place.lay(0.9, {0, btScalar(0.03), 0}, 9);
                 place.cloth->air().wind = {double(velocity.x()), double(velocity.y()), double(velocity.z())};
                 for (int n = 0; n < place.sheet->m_nodes.size(); ++n) place.sheet->m_nodes[n].m_v = velocity;
@@ -328,7 +337,8 @@ TEST(OtherWorlds, ClothStaysOnAFloorThatDrives) {
                 double deepest = 0, farthest = 0;
                 for (int f = 0; f < 120; ++f) {
                     way += velocity * frame;
-                    floor.getMotionState()->setWorldTransform(btTransform(btQuaternion::getIdentity(), way) * start);
+                    floor.getMotionState()->setWorldTransform(btTransform(btQuaternion::getIdentity(), way) *
+                                                              start);
                     place.world.stepSimulation(frame, substeps, frame / btScalar(substeps));
                     for (int n = 0; n < place.sheet->m_nodes.size(); ++n) {
                         const btVector3 local = place.sheet->m_nodes[n].m_x - way;
@@ -336,8 +346,10 @@ TEST(OtherWorlds, ClothStaysOnAFloorThatDrives) {
                         farthest = std::max(farthest, double(std::abs(local.x())));
                     }
                 }
-                EXPECT_LT(deepest, 1e-4) << velocity.x() << ' ' << velocity.y() << ' ' << isMesh << ' ' << substeps;
-                EXPECT_LT(farthest, 0.46) << velocity.x() << ' ' << velocity.y() << ' ' << isMesh << ' ' << substeps;
+                EXPECT_LT(deepest, 1e-4)
+                    << velocity.x() << ' ' << velocity.y() << ' ' << isMesh << ' ' << substeps;
+                EXPECT_LT(farthest, 0.46)
+                    << velocity.x() << ' ' << velocity.y() << ' ' << isMesh << ' ' << substeps;
             }
 }
 
@@ -349,7 +361,8 @@ TEST(OtherWorlds, APaddleOfTwoMetresSweepsClothAlong) {
         place.world.setGravity({0, 0, 0});
         btRigidBody& body = place.add(paddle, at(0, 0, 0), true);
         place.hang(0.3, 0.15, 9);
-        for (int n = 0; n < place.sheet->m_nodes.size(); ++n) place.sheet->m_nodes[n].m_x += btVector3(btScalar(0.75), 0, btScalar(-0.15));
+        for (int n = 0; n < place.sheet->m_nodes.size(); ++n)
+            place.sheet->m_nodes[n].m_x += btVector3(btScalar(0.75), 0, btScalar(-0.15));
         place.step(1);
         double angle = 0, deepest = 0;
         for (int f = 0; f < 12; ++f) {
@@ -360,8 +373,9 @@ TEST(OtherWorlds, APaddleOfTwoMetresSweepsClothAlong) {
             place.world.stepSimulation(frame, substeps, frame / btScalar(substeps));
             for (int n = 0; n < place.sheet->m_nodes.size(); ++n) {
                 const btVector3 local = pose.invXform(place.sheet->m_nodes[n].m_x);
-                const double inside = std::min({1 - std::abs(double(local.x())), 0.3 - std::abs(double(local.y())),
-                                                0.02 - std::abs(double(local.z()))});
+                const double inside =
+                    std::min({1 - std::abs(double(local.x())), 0.3 - std::abs(double(local.y())),
+                              0.02 - std::abs(double(local.z()))});
                 deepest = std::max(deepest, inside);
             }
         }
@@ -379,9 +393,10 @@ TEST(OtherWorlds, WhatFliesPastDoesNotPush) {
                 for (int n = 0; n < 5; ++n) place.sheet->m_nodes[n].m_im = 0;
                 place.step(180);
                 btSphereShape shape{btScalar(radius)};
-                const double clearance = radius + double(place.sheet->getCollisionShape()->getMargin()) + 0.01;
-                const btTransform start = isBelow ? at(0, place.lowest() - clearance, -3.01)
-                                                  : at(0.5 + clearance, 0.5, -3.01);
+                const double clearance =
+                    radius + double(place.sheet->getCollisionShape()->getMargin()) + 0.01;
+                const btTransform start =
+                    isBelow ? at(0, place.lowest() - clearance, -3.01) : at(0.5 + clearance, 0.5, -3.01);
                 btRigidBody& ball = place.add(shape, start, true);
                 btScalar way = 0;
                 double fastest = 0;
@@ -390,7 +405,8 @@ TEST(OtherWorlds, WhatFliesPastDoesNotPush) {
                     way += btScalar(speed) * frame;
                     ball.getMotionState()->setWorldTransform(at(0, 0, double(way)) * start);
                 });
-                EXPECT_LT(fastest, 0.01) << radius << " m at " << speed << " m/s, " << (isBelow ? "below" : "beside");
+                EXPECT_LT(fastest, 0.01)
+                    << radius << " m at " << speed << " m/s, " << (isBelow ? "below" : "beside");
             }
 }
 
@@ -405,8 +421,8 @@ TEST(OtherWorlds, AMultiBodyGripsAndLiftsAsAKinematicBodyDoes) {
     for (int n = 0; n < 25; ++n) place.sheet->m_nodes[n].m_im = 0;
     btMultiBody arm(1, 1, {1, 1, 1}, true, false);
     arm.setBasePos({0, 0, 0});
-    arm.setupPrismatic(0, 1, {1, 1, 1}, -1, btQuaternion::getIdentity(), {0, 1, 0}, {0, btScalar(0.97), 0}, {0, 0, 0},
-                       true);
+    arm.setupPrismatic(0, 1, {1, 1, 1}, -1, btQuaternion::getIdentity(), {0, 1, 0}, {0, btScalar(0.97), 0},
+                       {0, 0, 0}, true);
     arm.finalizeMultiDof();
     arm.setCanSleep(false);
     place.world.addMultiBody(&arm);
@@ -422,12 +438,14 @@ TEST(OtherWorlds, AMultiBodyGripsAndLiftsAsAKinematicBodyDoes) {
         int count = 0;
         for (int n = 0; n < place.sheet->m_nodes.size(); ++n) {
             const btVector3 local = hand.getWorldTransform().invXform(place.sheet->m_nodes[n].m_x).absolute();
-            if (local.x() < btScalar(0.03) && local.y() < btScalar(0.03) && local.z() < btScalar(0.01)) ++count;
+            if (local.x() < btScalar(0.03) && local.y() < btScalar(0.03) && local.z() < btScalar(0.01))
+                ++count;
         }
         return count;
     };
     place.step(60);
-    for (int n = 0; n < 25; ++n) place.sheet->m_nodes[n].m_im = btScalar(1e4);  // let go; Drench sets the mass
+    for (int n = 0; n < 25; ++n)
+        place.sheet->m_nodes[n].m_im = btScalar(1e4);  // let go; Drench sets the mass
     place.step(60);
     const int before = held();
     EXPECT_GE(before, 8);

@@ -23,7 +23,7 @@ namespace {
 
 constexpr btScalar frame = btScalar(1) / 60;
 constexpr double solidMass = 1;  // of a dynamic solid, kg
-constexpr int side = 13;    // nodes
+constexpr int side = 13;         // nodes
 constexpr btScalar length = btScalar(0.5);
 
 btTransform at(const btVector3& place) {
@@ -32,7 +32,8 @@ btTransform at(const btVector3& place) {
 
 // Depth inside a box of those half extents, m; negative outside.
 double depthInBox(const btVector3& p, const btVector3& half) {
-    return double(std::min({half.x() - std::abs(p.x()), half.y() - std::abs(p.y()), half.z() - std::abs(p.z())}));
+    return double(
+        std::min({half.x() - std::abs(p.x()), half.y() - std::abs(p.y()), half.z() - std::abs(p.z())}));
 }
 
 const btVector3 boxHalf(btScalar(0.2), btScalar(0.1), btScalar(0.2));
@@ -296,8 +297,8 @@ class Mover {
         state_.setWorldTransform(start_);
         btVector3 inertia(0, 0, 0);
         btBoxShape(boxHalf).calculateLocalInertia(ownMass, inertia);
-        auto body = std::make_unique<btRigidBody>(
-            btRigidBody::btRigidBodyConstructionInfo(ownMass, isDynamic ? nullptr : &state_, &shape, inertia));
+        auto body = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
+            ownMass, isDynamic ? nullptr : &state_, &shape, inertia));
         body->setWorldTransform(start_);
         body->setInterpolationWorldTransform(start_);
         body->setActivationState(DISABLE_DEACTIVATION);
@@ -345,8 +346,8 @@ class Mover {
 struct RobotWorld {
     explicit RobotWorld(StepWorld kind) {
         if (kind == StepWorld::smallSteps) small = std::make_unique<SmallStepSolver>();
-        world = std::make_unique<btSoftMultiBodyDynamicsWorld>(&dispatcher, &broadphase, &solver, &configuration,
-                                                               small.get());
+        world = std::make_unique<btSoftMultiBodyDynamicsWorld>(&dispatcher, &broadphase, &solver,
+                                                               &configuration, small.get());
     }
     void setGravity(const btVector3& gravity) {
         world->setGravity(gravity);
@@ -368,7 +369,8 @@ std::unique_ptr<btSoftBody> sheetFor(RobotWorld& rig, const Situation& situation
     if (situation.load != SolidLoad::passing) {
         const btScalar height = form.top() + margin + btScalar(0.01);
         return makeSheet(rig.world->getWorldInfo(), fabric,
-                         flatCorners({-length / 2, height, -length / 2}, {length, 0, 0}, {0, 0, length}), side, side);
+                         flatCorners({-length / 2, height, -length / 2}, {length, 0, 0}, {0, 0, length}),
+                         side, side);
     }
     const btScalar edge = form.halfWidth() + margin + btScalar(0.01);
     return makeSheet(rig.world->getWorldInfo(), fabric,
@@ -392,7 +394,7 @@ Outcome play(const Situation& situation) {
     const std::unique_ptr<btSoftBody> sheet = sheetFor(rig, situation, *form);
     rig.world->addSoftBody(sheet.get());
     const auto speed = btScalar(speedOf(situation.load));
-    const btVector3 spin = situation.load != SolidLoad::spin ? btVector3(0, 0, 0)
+    const btVector3 spin = situation.load != SolidLoad::spin          ? btVector3(0, 0, 0)
                            : situation.form == SolidForm::heightField ? btVector3(0, 15, 0)
                                                                       : btVector3(0, 0, 15);
     const btVector3 velocity = isPassing ? btVector3(0, 0, speed) : btVector3(0, speed, 0);
@@ -414,8 +416,9 @@ Outcome play(const Situation& situation) {
         }
         outcome.finite = cloth.health().finite && cloth.health().heldSubsteps == 0;
         if (solid.isDynamic() && speed > 0 && !isPassing)
-            outcome.momentum = double(
-                (momentum(*sheet) + solid.velocity() * btScalar(solidMass) - before).length() / before.length());
+            outcome.momentum =
+                double((momentum(*sheet) + solid.velocity() * btScalar(solidMass) - before).length() /
+                       before.length());
     }
     for (int n = 0; n < sheet->m_nodes.size(); ++n)
         outcome.speed += double(sheet->m_nodes[n].m_v.length2()) / sheet->m_nodes.size();
@@ -432,8 +435,9 @@ const std::vector<SolidKind>& allKinds() {
 
 const std::vector<SolidForm>& allForms() {
     static const std::vector<SolidForm> forms = {
-        SolidForm::ball,     SolidForm::box,  SolidForm::capsule,    SolidForm::hull,    SolidForm::cylinder,
-        SolidForm::compound, SolidForm::mesh, SolidForm::scaledMesh, SolidForm::gimpact, SolidForm::heightField};
+        SolidForm::ball,     SolidForm::box,        SolidForm::capsule, SolidForm::hull,
+        SolidForm::cylinder, SolidForm::compound,   SolidForm::mesh,    SolidForm::scaledMesh,
+        SolidForm::gimpact,  SolidForm::heightField};
     return forms;
 }
 

@@ -9,18 +9,7 @@ namespace drench::test {
 // Who moves the solid: Bullet as a dynamic rigid body or as a btMultiBody, or the application.
 enum class SolidKind { rigid, kinematic, multibody, ghost, movedStatic };
 
-enum class SolidForm {
-    ball,
-    box,
-    capsule,
-    hull,
-    cylinder,
-    compound,
-    mesh,
-    scaledMesh,
-    gimpact,
-    heightField
-};
+enum class SolidForm { ball, box, capsule, hull, cylinder, compound, mesh, scaledMesh, gimpact, heightField };
 
 // What it does: the sheet is laid on it; it comes up under the sheet at 1, 5 or 20 m/s; it spins at 15 rad/s while
 // the sheet comes down on it; it passes the sheet's edge at 20 m/s, a centimetre beyond the distance at which cloth rests.
@@ -36,9 +25,10 @@ struct Situation {
 };
 
 struct Outcome {
-    double deepest = 0;   // of any node inside the solid after any frame, by the closed form of the shape, m
-    double speed = 0;     // root mean square of the nodes' velocities at the end, m/s
-    double momentum = 0;  // change of the momentum of sheet and solid over that of the solid; 0 where others act
+    double deepest = 0;  // of any node inside the solid after any frame, by the closed form of the shape, m
+    double speed = 0;    // root mean square of the nodes' velocities at the end, m/s
+    double momentum =
+        0;  // change of the momentum of sheet and solid over that of the solid; 0 where others act
     bool touched = false;
     bool finite = true;
 };

@@ -37,7 +37,8 @@ std::string testName(const testing::TestParamInfo<std::tuple<SolidKind, SolidLoa
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Situations,
-                         testing::Combine(testing::ValuesIn(allKinds()), testing::ValuesIn(allLoads())), testName);
+                         testing::Combine(testing::ValuesIn(allKinds()), testing::ValuesIn(allLoads())),
+                         testName);
 
 }  // namespace
 }  // namespace drench::situations_test
