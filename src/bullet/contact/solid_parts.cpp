@@ -1,5 +1,6 @@
 #include "bullet/contact/solid_parts.h"
 
+#include <BulletCollision/BroadphaseCollision/btDbvt.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
