@@ -15,7 +15,7 @@ namespace drench {
 class DRENCH_API Snapshot {
   public:
     /// The format that this library writes, and the newest one that it reads.
-    static constexpr std::uint32_t newestFormat = 1;
+    static constexpr std::uint32_t newestFormat = 2;
 
     /// Makes a snapshot from its bytes. Whether it fits a sheet is checked by `WetCloth::restore`.
     /// @throws std::runtime_error, with the reason, if the bytes are not a valid snapshot: truncated, too long, of

@@ -99,8 +99,8 @@ TEST_F(SnapshotRefusal, OtherKindsAndNewerFormats) {
     EXPECT_SAYS(Snapshot{other}, "some other file");
     EXPECT_SAYS(Snapshot(std::string(1000, '\0')), "some other file");
     std::string newer = before;
-    newer[8] = 2;
-    EXPECT_SAYS(Snapshot(sealed(newer)), "its format is 2, and this library knows formats up to 1");
+    newer[8] = 3;
+    EXPECT_SAYS(Snapshot(sealed(newer)), "its format is 3, and this library knows formats up to 2");
     std::string odd = before;
     odd[12] = 6;
     EXPECT_SAYS(Snapshot(sealed(odd)), "its numbers have 6 bytes");
