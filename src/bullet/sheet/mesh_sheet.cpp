@@ -101,7 +101,6 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
     appendCloth(*body, mesh);
     setMeshMasses(*body, fabric.arealDensity);
     body->m_cfg.kDF = btScalar(fabric.plateFrictionDry);
-    body->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
     setContactSizes(*body, worldInfo);
     return body;
 }

@@ -165,7 +165,6 @@ std::unique_ptr<btSoftBody> makeSheet(btSoftBodyWorldInfo& worldInfo, const Fabr
     const btScalar cell = cellSize(corners, grid);
     body->getCollisionShape()->setMargin(std::min(cell / 4, btScalar(0.02)));
     body->m_cfg.kDF = btScalar(fabric.plateFrictionDry);
-    body->m_cfg.collisions |= btSoftBody::fCollision::VF_SS;
     if (worldInfo.m_sparsesdf.m_defaultVoxelsz > cell) {
         worldInfo.m_sparsesdf.setDefaultVoxelsz(cell / 2);
         worldInfo.m_sparsesdf.Reset();
