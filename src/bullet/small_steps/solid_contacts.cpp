@@ -29,23 +29,6 @@ btVector3 vector(const float (&of)[3]) {
     return {btScalar(of[0]), btScalar(of[1]), btScalar(of[2])};
 }
 
-// Whether a proxy of that number is still in the broadphase, with that object.
-class ProxySearch final : public btBroadphaseAabbCallback {
-  public:
-    ProxySearch(const btCollisionObject* object, int number) : object_(object), number_(number) {}
-
-    bool process(const btBroadphaseProxy* proxy) override {
-        found_ = found_ || (proxy->m_clientObject == object_ && proxy->m_uniqueId == number_);
-        return true;
-    }
-    bool found() const { return found_; }
-
-  private:
-    const btCollisionObject* object_;
-    int number_;
-    bool found_ = false;
-};
-
 }  // namespace
 
 void SolidContacts::clear() {
@@ -60,18 +43,30 @@ void SolidContacts::meet(const btCollisionObject& object) {
     const auto isSame = [&](const Met& met) { return met.object == &object; };
     if (!object.hasContactResponse() || !object.getBroadphaseHandle()) return;
     if (std::any_of(met_.rbegin(), met_.rend(), isSame)) return;
-    met_.push_back({&object, object.getBroadphaseHandle()->m_uniqueId, object.getWorldTransform()});
+    met_.push_back({&object, object.getBroadphaseHandle()->m_uniqueId, object.getWorldTransform(), false});
 }
 
-bool SolidContacts::isThere(const btSoftBody& body, const Met& met) const {
-    ProxySearch search(met.object, met.number);
-    body.m_worldInfo->m_broadphase->aabbTest(body.m_bounds[0], body.m_bounds[1], search);
-    return search.found();
-}
+// Marks the reported solids whose proxy is still in the broadphase.
+class SolidContacts::ProxySearch final : public btBroadphaseAabbCallback {
+  public:
+    explicit ProxySearch(std::vector<Met>& met) : met_(met) {}
+
+    bool process(const btBroadphaseProxy* proxy) override {
+        for (Met& met : met_)
+            if (proxy->m_clientObject == met.object && proxy->m_uniqueId == met.number) met.isThere = true;
+        return true;
+    }
+
+  private:
+    std::vector<Met>& met_;
+};
 
 void SolidContacts::addSolids(const btSoftBody& body, const Friction& sheetFriction, const NearSolids& near,
                               Solids& solids) {
-    met_.erase(std::remove_if(met_.begin(), met_.end(), [&](const Met& met) { return !isThere(body, met); }),
+    if (met_.empty()) return;
+    ProxySearch search(met_);
+    body.m_worldInfo->m_broadphase->aabbTest(body.m_bounds[0], body.m_bounds[1], search);
+    met_.erase(std::remove_if(met_.begin(), met_.end(), [](const Met& met) { return !met.isThere; }),
                met_.end());
     // Bullet reports solids in the order in which they first met, which is unknown to restored sheets.
     std::sort(met_.begin(), met_.end(), [](const Met& a, const Met& b) {

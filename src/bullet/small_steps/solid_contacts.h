@@ -46,6 +46,7 @@ class SolidContacts {
         const btCollisionObject* object;
         int number;  // of its proxy
         btTransform start;
+        bool isThere;  // still in the world when the sheet is solved
     };
     // A solid near the sheet.
     struct Touching {
@@ -91,10 +92,10 @@ class SolidContacts {
         std::size_t firstCandidate, candidates;
         std::size_t firstContact, contacts;
     };
+    class ProxySearch;
     struct Search;
     static constexpr std::size_t maxContacts = 6;  // of a node
 
-    bool isThere(const btSoftBody& body, const Met& met) const;
     void find(const SmallStepSheet& sheet, const Solid& solid, std::size_t touching);
     void gather(const btCollisionShape& shape, const Bounds& box);
     void findNode(const Search& search, std::size_t n);
