@@ -83,6 +83,14 @@ struct SheetSettings {
     /// Whether the sheet may be in several pieces from the start, such as strips of one body. Default: false; several
     /// pieces are then reported as `Trouble::pieces`.
     bool mayBeInPieces = false;
+
+    /// Whether a SmallStepSolver keeps the layers of the sheet apart where it is folded; default true. Without such a
+    /// solver a sheet passes through itself.
+    bool meetsItself = true;
+
+    /// Whether a SmallStepSolver keeps the sheet apart from all other sheets of which this is true; default true. Other
+    /// soft bodies, and all sheets without such a solver, need fCollision::VF_SS in both bodies' m_cfg.collisions.
+    bool meetsSheets = true;
 };
 
 /// Adds water to one btSoftBody: before each of Bullet's substeps sources add their water, the water moves (see

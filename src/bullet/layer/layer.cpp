@@ -107,6 +107,8 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       contacts(mesh.size()),
       arrivals(mesh.size()),
       ticks(world, *this) {
+    mechanics.meetsItself = settings.meetsItself;
+    mechanics.meetsSheets = settings.meetsSheets;
     mechanics.evaluate(laws, moisture);
     writeMasses(body, mechanics.masses);
     body.updateLinkConstants();  // for these masses, until the first substep sets those of the fabric

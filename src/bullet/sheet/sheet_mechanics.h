@@ -50,6 +50,8 @@ struct SheetMechanics {
 
     btVector3 gravity = btVector3(0, 0, 0);  // of the body in this substep, m/s2; see gravityOf
 
+    bool meetsItself = true;  // see SheetSettings
+    bool meetsSheets = true;
     NearSolids near;  // as the SmallStepSolver last saw them
 
     // Set by a SmallStepSolver, once it has found the sheet.

@@ -79,6 +79,7 @@ SmallStepSheet::SmallStepSheet(const SheetMechanics& mechanics, const SmallStepK
                         &pushAndMoments_, &ahead_, &expected_})
         nodes->assign(slots, MovingNode{0, 0, 0, 0});
     ratios_.assign(slots, NodeRatios{1, 1, 1, 0});
+    isCarried_.assign(slots, 0);
     packLinks(mechanics);
     packPlates(mechanics);
 }

@@ -3,6 +3,7 @@
 
 #include <BulletSoftBody/btSoftBody.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -53,14 +54,18 @@ class SmallStepSheet {
     std::size_t size() const { return count_; }
     // Displacement of a node since the start of the substep, and its inverse mass.
     MovingNode& moved(std::size_t node) { return moved_[node]; }
+    // The same before corrections: what differs becomes velocity.
+    MovingNode& predicted(std::size_t node) { return predicted_[node]; }
+    // Whether solids have carried a node in the last small step.
+    const char& isCarried(std::size_t node) const { return isCarried_[node]; }
+    void setCarried(std::size_t node) { isCarried_[node] = 1; }
+    void clearCarried() { std::fill(isCarried_.begin(), isCarried_.end(), char(0)); }
     // Displacement of a node in the current small step, m.
     btVector3 step(std::size_t node) const {
         return vectorOf(steps_[node]) + (vectorOf(moved_[node]) - vectorOf(predicted_[node]));
     }
     // Moves a node without changing its velocity.
     void place(std::size_t node, const btVector3& by);
-    // Takes a displacement per small step from the velocity of a node, without moving it.
-    void slow(std::size_t node, const btVector3& by) { shift(predicted_[node], by); }
     // Position of a node at the start of the substep, m, relative to an origin near the sheet.
     const MovingNode& start(std::size_t node) const { return start_[node]; }
     // The same in world coordinates.
@@ -75,7 +80,9 @@ class SmallStepSheet {
     // than it would move by itself.
     const btVector3& meanReach() const { return meanReach_; }
     btScalar farthestPull() const { return farthestPull_; }
+    double substep() const { return substep_; }
     double smallStep() const { return smallStep_; }
+    double meanLink() const { return meanLink_; }
     // The fraction of a gap that a spring closes in a small step, if it closes the given one in the longest.
     double fractionOf(double ofLongest) const;
 
@@ -127,6 +134,7 @@ class SmallStepSheet {
 
     std::vector<MovingNode> moved_;
     std::vector<MovingNode> predicted_;       // moved_ before corrections
+    std::vector<char> isCarried_;
     std::vector<MovingNode> steps_;           // displacement per small step, m
     std::vector<MovingNode> push_;            // m per small step
     std::vector<MovingNode> pushAndMoments_;  // the same with moments of plates that are kept

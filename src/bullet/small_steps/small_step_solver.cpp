@@ -12,9 +12,9 @@
 #include "bullet/contact/solids.h"
 #include "bullet/sheet/face_tree.h"
 #include "bullet/sheet/sheet_mechanics.h"
+#include "bullet/small_steps/surface_contacts.h"
 #include "bullet/small_steps/mesh_pairs.h"
 #include "bullet/small_steps/moving_sheet.h"
-#include "bullet/small_steps/soft_contacts.h"
 #include "bullet/world/body_watch.h"
 #include "bullet/world/stop_watch.h"
 #include "checks/checks.h"
@@ -163,6 +163,7 @@ struct SmallStepSolver::State {
     void begin(btScalar substep);
     void beginSheet(const Solving& each);
     void smallStep(double smallStepOfWorld);
+    void meetCloth();
     void finish(btScalar substep);
     // Adds up computing time that sheets share.
     void share(double StepTimes::*stage, double seconds);
@@ -171,9 +172,9 @@ struct SmallStepSolver::State {
     std::vector<Mover> movers;
     MeshPairs meshPairs{isMovedHere};
     Solids solids;
-    SoftContacts softContacts;
+    SurfaceContacts surfaceContacts;
     std::vector<Solving> sheets;  // during a solve
-    std::vector<SoftContacts::Sheet> softSheets;
+    std::vector<SurfaceContacts::Sheet> meetingSheets;
     int steps = 0;
 };
 
@@ -195,11 +196,10 @@ const char* SmallStepSolver::kernels() const {
 }
 
 void SmallStepSolver::predictMotion(btScalar substep) {
-    state_->softContacts.clear();
+    state_->surfaceContacts.clear();
     const btSoftBody* first = nullptr;  // of those moved here
     for (int i = 0; i < m_softBodySet.size(); ++i) {
         btSoftBody& body = *m_softBodySet[i];
-        state_->softContacts.remember(body);
         if (!body.isActive()) continue;
         SheetMechanics* const mechanics = mechanicsOf(body);
         if (!mechanics) {
@@ -243,7 +243,6 @@ void SmallStepSolver::State::predict(btSoftBody& body, SheetMechanics& mechanics
     while (body.m_rcontacts.size() > 0) body.m_rcontacts.pop_back();
     body.m_scontacts.resize(0);
     writeBounds(body, mechanics, movers);
-    if (!body.m_fdbvt.empty()) prepareFaceTree(body, sheet.cloth);
     mechanics.times.solver += watch.lap();
 }
 
@@ -261,23 +260,11 @@ void SmallStepSolver::processCollision(btSoftBody* body, btSoftBody* other) {
     SheetMechanics* const others = movedHere(*other);
     if (!mechanics && !others) return btDefaultSoftBodySolver::processCollision(body, other);
     using Collision = btSoftBody::fCollision;
-    if (body == other || !(body->m_cfg.collisions & other->m_cfg.collisions & Collision::VF_SS)) return;
+    const bool areSheets = mechanics && others && mechanics->meetsSheets && others->meetsSheets;
+    const bool areAllowed = areSheets || (body->m_cfg.collisions & other->m_cfg.collisions & Collision::VF_SS) != 0;
+    if (body == other || !areAllowed) return;
     if (!areNear(*body, *other)) return;
-    StopWatch watch;
-    for (SheetMechanics* const each : {mechanics, others}) {
-        btSoftBody& of = each == mechanics ? *body : *other;
-        if (!each || !of.m_fdbvt.empty()) continue;
-        makeFaceTree(of);
-        prepareFaceTree(of, each->moving->cloth);
-    }
-    const auto clothOf = [](const SheetMechanics* of) { return of ? &of->moving->cloth : nullptr; };
-    const auto frictionOf = [](const SheetMechanics* of) { return of ? &of->sheetFriction : nullptr; };
-    state_->softContacts.find(*body, *other, clothOf(mechanics), frictionOf(mechanics));
-    state_->softContacts.find(*other, *body, clothOf(others), frictionOf(others));
-    const double took = watch.lap();
-    const bool both = mechanics && others;
-    for (SheetMechanics* const each : {mechanics, others})
-        if (each) each->times.contacts += both ? took / 2 : took;
+    state_->surfaceContacts.meet(*body, *other);
 }
 
 void SmallStepSolver::solveConstraints(btScalar substep) {
@@ -288,10 +275,14 @@ void SmallStepSolver::solveConstraints(btScalar substep) {
         if (SheetMechanics* const mechanics = movedHere(body))
             state_->sheets.push_back({&body, mechanics, mechanics->moving.get()});
         else if (isCut(body))
-            state_->softContacts.clear();  // of removed nodes; the cloth is held
+            state_->surfaceContacts.clear();  // of removed nodes; the cloth is held
         else
             body.solveConstraints();
     }
+    // The application's callbacks may have removed some since Bullet reported them.
+    state_->surfaceContacts.forgetUnless([this](btSoftBody* body) {
+        return m_softBodySet.findLinearSearch(body) < m_softBodySet.size();
+    });
     state_->steps = state_->sheets.empty() ? 0 : state_->chooseSteps();
     if (state_->steps == 0) return;
     state_->begin(substep);
@@ -329,17 +320,17 @@ void SmallStepSolver::State::begin(btScalar substep) {
     }
     solids.begin(double(substep));
     share(&StepTimes::contacts, watch.lap());
-    softSheets.clear();
+    meetingSheets.clear();
     for (const Solving& each : sheets) {
         each.sheet->cloth.divide(*each.mechanics, steps);
-        softSheets.push_back({each.body, &each.sheet->cloth, &each.mechanics->sheetFriction});
+        meetingSheets.push_back({each.body, &each.sheet->cloth, &each.mechanics->sheetFriction,
+                               &each.sheet->treeFor(each.body->getCollisionShape()->getMargin(), *each.mechanics),
+                                 &each.sheet->memory, each.mechanics->meetsItself});
     }
     share(&StepTimes::solver, watch.lap());
-    softContacts.begin(softSheets, double(substep), steps);
-    share(&StepTimes::contacts, watch.lap());
     for (const Solving& each : sheets) beginSheet(each);
     watch.lap();
-    softContacts.allowOverlap();
+    surfaceContacts.begin(meetingSheets, double(substep), steps);
     share(&StepTimes::contacts, watch.lap());
 }
 
@@ -355,7 +346,8 @@ void SmallStepSolver::State::beginSheet(const Solving& each) {
 void SmallStepSolver::State::smallStep(double smallStepOfWorld) {
     StopWatch watch;
     solids.advance(smallStepOfWorld);
-    softContacts.advance();
+    surfaceContacts.beginStep();
+    share(&StepTimes::contacts, watch.lap());
     for (const Solving& each : sheets) {
         each.sheet->cloth.advance();
         each.sheet->cloth.solveCloth();
@@ -363,11 +355,30 @@ void SmallStepSolver::State::smallStep(double smallStepOfWorld) {
         each.sheet->anchors.solve(each.sheet->cloth, solids);
         each.mechanics->times.solver += watch.lap();
     }
-    softContacts.solve();
+    meetCloth();
+    watch.lap();
     for (const Solving& each : sheets) {
         each.sheet->contacts.solve(each.sheet->cloth, solids);
         each.mechanics->times.contacts += watch.lap();
     }
+    surfaceContacts.endStep();
+    share(&StepTimes::contacts, watch.lap());
+}
+
+// Solids take part in between, so that cloth that lies on a solid carries what lies on it.
+void SmallStepSolver::State::meetCloth() {
+    StopWatch watch;
+    const auto carry = [this] {
+        for (std::size_t i = 0; i < sheets.size(); ++i)
+            if (surfaceContacts.touches(i)) sheets[i].sheet->contacts.carry(sheets[i].sheet->cloth, solids);
+    };
+    surfaceContacts.goOn();
+    static const int sweeps = getenv("SW") ? atoi(getenv("SW")) : 2;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        carry();
+        surfaceContacts.solve();
+    }
+    share(&StepTimes::contacts, watch.lap());
 }
 
 void SmallStepSolver::State::finish(btScalar substep) {
@@ -384,7 +395,7 @@ void SmallStepSolver::State::finish(btScalar substep) {
         each.mechanics->times.contacts += watch.lap();
     }
     solids.finish(sheets[0].body->m_worldInfo->m_dispatcher);
-    softContacts.finish(softSheets);
+    surfaceContacts.finish();
     share(&StepTimes::contacts, watch.lap());
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bullet/contact/contact_law.h"
 #include "bullet/contact/flat_neighbours.h"
@@ -88,6 +89,7 @@ void SolidContacts::begin(btSoftBody& body, SmallStepSheet& sheet, const Frictio
     sheetFriction_ = &sheetFriction;
     margin_ = body.getCollisionShape()->getMargin();
     reach_ = btScalar(sheetFriction.reach());
+    sheet.clearCarried();
     parts_.clear();
     candidates_.clear();
     startPoses_.clear();
@@ -253,6 +255,7 @@ void SolidContacts::writeContacts(const NodeContacts& of, const btVector3& posit
         plane.rest = 0;
         contact.solid = static_cast<std::uint32_t>(touching.solid);
         contact.touched = false;
+        contact.pushed = 0;
         contact.friction = float(sheetFriction_->friction(touching.surface, of.node));
         // A face of the cloth adheres only once.
         const bool isFirstOfFace = i == 0 || chosen_.front().normal.dot(sight.normal) <= otherFace;
@@ -289,6 +292,8 @@ void SolidContacts::lift(SmallStepSheet& sheet, const NodeContacts& of, const So
         Contact& contact = contacts_[i];
         const Solid& solid = solids[contact.solid];
         const btScalar inside = -gapOf(i, solid, alongSolid(i, of.node, sheet, solid));
+        constexpr auto near = btScalar(0.05);
+        if (inside > -near * margin_) sheet.setCarried(of.node);
         if (inside <= 0) continue;
         contact.adheres = contact.adhesion > 0;
         const btScalar lifted = std::min(inside, margin_);
@@ -300,7 +305,24 @@ void SolidContacts::lift(SmallStepSheet& sheet, const NodeContacts& of, const So
 
 void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
     posesAreOfThisStep_ = false;
+    sheet.clearCarried();
     for (NodeContacts& of : nodes_) solveNode(of, sheet, solids);
+}
+
+void SolidContacts::carry(SmallStepSheet& sheet, Solids& solids) {
+    for (const NodeContacts& of : nodes_)
+        for (std::size_t i = of.firstContact; i < of.firstContact + of.contacts; ++i) {
+            Contact& contact = contacts_[i];
+            Solid& solid = solids[contact.solid];
+            const btScalar depth = -gapOf(i, solid, alongSolid(i, of.node, sheet, solid));
+            MovingNode& node = sheet.moved(of.node);
+            const btScalar response = btScalar(node.inverseMass) + btScalar(contact.response);
+            if (!(depth > 0 && response > 0 && depth < std::numeric_limits<btScalar>::max())) continue;
+            const btVector3 push = solid.turned(vector(contact.normal)) * (depth / response);
+            contact.pushed += float(depth / response);
+            shift(node, push * btScalar(node.inverseMass));
+            if (!solid.isStill()) solid.push(planes_[i].arm, -push);
+        }
 }
 
 void SolidContacts::solveNode(NodeContacts& of, SmallStepSheet& sheet, Solids& solids) {
@@ -336,7 +358,8 @@ void SolidContacts::solveContact(std::size_t contact, std::size_t n, btScalar ga
     solved.adheres =
         adhesionHolds(double(solved.adhesion), solved.adheres || gap < 0, double(gap), double(reach_));
     // Not for values that are not finite either.
-    if (!((gap < 0 || solved.adheres) && std::abs(gap) < std::numeric_limits<btScalar>::max())) return;
+    const bool holds = gap < 0 || solved.adheres || solved.pushed > 0;
+    if (!(holds && std::abs(gap) < std::numeric_limits<btScalar>::max())) return;
     solved.touched = true;
     solid.touch();
     hold(contact, sheet, n, solid, -gap);
@@ -397,6 +420,7 @@ void SolidContacts::goOn(std::size_t contact, btScalar depth) {
             !faceAlike(vector(before.normal), vector(now.normal)))
             continue;
         now.touched = now.touched || before.touched;
+        now.pushed = std::max(now.pushed, before.pushed);
         now.adheres = now.adhesion > 0 && (now.adheres || before.adheres);
         plane.rest = std::max(plane.rest, std::min(planesBefore_[i].rest, depth));
     }
@@ -444,19 +468,22 @@ SurfacePoint SolidContacts::nearestOf(const NodeContacts& of, std::size_t touchi
 
 void SolidContacts::hold(std::size_t contact, SmallStepSheet& sheet, std::size_t n, Solid& solid,
                          btScalar depth) {
-    const Contact& holding = contacts_[contact];
+    Contact& holding = contacts_[contact];
     MovingNode& node = sheet.moved(n);
     const btVector3 normal = solid.turned(vector(holding.normal));
     const auto inverseMass = btScalar(node.inverseMass);
     const auto h = btScalar(sheet.smallStep());
     const ContactLaw law = {btScalar(holding.friction),
                             holding.adheres ? btScalar(holding.adhesion) * h * h : btScalar(0)};
-    const btScalar push = law.push(depth / (inverseMass + btScalar(holding.response)));
+    // With what it has pushed before in this small step.
+    const auto before = btScalar(std::exchange(holding.pushed, 0.0f));
+    if (depth > 0 || before > 0) sheet.setCarried(n);
+    const btScalar push = law.push(before + depth / (inverseMass + btScalar(holding.response)));
     btVector3 slip = sheet.step(n);
     if (!solid.isStill()) slip -= solid.step(planes_[contact].arm);
     slip = alongSurface(slip, normal);
     const btScalar length = slip.length();
-    btVector3 total = normal * push;
+    btVector3 total = normal * (push - before);
     if (length > 0) {
         // A solid that can rotate yields more to a tangential force than to a normal one.
         btScalar giving = inverseMass;

@@ -35,6 +35,9 @@ class SolidContacts {
     // Finds the nodes that might touch a solid within the substep, or adhere to it, and moves nodes out of solids that
     // they start in. @pre the solids have begun
     void begin(btSoftBody& body, SmallStepSheet& sheet, const Friction& sheetFriction, const Solids& solids);
+    // Keeps nodes on their side of the planes for now, so that other cloth finds them carried; `solve` then goes on
+    // from there.
+    void carry(SmallStepSheet& sheet, Solids& solids);
     // Keeps nodes on their side of the planes, with Coulomb friction along them.
     void solve(SmallStepSheet& sheet, Solids& solids);
     // Writes the contacts that have touched to m_rcontacts, and the adhesive bonds to the Friction of the sheet.
@@ -75,6 +78,7 @@ class SolidContacts {
         float friction;       // friction coefficient
         float adhesion;       // adhesive force, N
         float response;       // of the solid, 1/kg
+        float pushed;         // by `carry` in this small step, as an impulse times that step, kg m
         std::uint32_t solid;  // index
         bool adheres;
         bool touched;

@@ -199,6 +199,7 @@ void WetCloth::Layer::mechanicsState(BulletPass& pass) {
     std::shared_ptr<MovingSheet> moving = mechanics.moving;
     if (!moving) moving = std::make_shared<MovingSheet>(mechanics);
     pass.part(moving->cloth);
+    pass.part(moving->memory);
     if (!pass.restores()) return;
     mechanics.moving = std::move(moving);
     mechanics.hasJumped = false;

@@ -1,4 +1,5 @@
 // The states of the parts of a layer.
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "bullet/fluid/submersion.h"
 #include "bullet/fluid/wind_at_nodes.h"
 #include "bullet/layer/account_supply.h"
+#include "bullet/small_steps/contact_memory.h"
 #include "bullet/small_steps/small_step_sheet.h"
 #include "bullet/state/bullet_pass.h"
 #include "bullet/world/limits.h"
@@ -67,6 +69,33 @@ void SmallStepSheet::state(BulletPass& pass) {
     if (pass.saves() ? longestStep_ == 0 : !pass.hasMore()) return;
     for (double* const time : {&longestStep_, &longestInWindow_, &longestBefore_, &sinceWindow_})
         pass.number(*time, 0, 1e6);
+}
+
+void ContactMemory::state(BulletPass& pass) {
+    // Drench 0.2 remembered no contacts.
+    if (pass.saves() ? contacts_.empty() : !pass.hasMore()) {
+        if (pass.restores()) contacts_.clear();
+        return;
+    }
+    constexpr double farthest = std::numeric_limits<int>::max();
+    std::vector<Contact> all;
+    if (pass.saves()) all = contacts_;
+    pass.list(
+        all,
+        [&](Contact& contact) {
+            for (int* const node : {&contact.node, &contact.otherEnd, &contact.corners[0],
+                                    &contact.corners[1], &contact.corners[2]})
+                *node = pass.value(*node, -1, farthest);
+            contact.other = static_cast<const btSoftBody*>(
+                pass.object(pass.saves() ? contact.other : nullptr, BulletPass::Which::soft));
+            for (float* const part :
+                 {&contact.normal.x(), &contact.normal.y(), &contact.normal.z(), &contact.side,
+                  &contact.forces.push, &contact.forces.drag.x(), &contact.forces.drag.y(),
+                  &contact.forces.drag.z()})
+                *part = pass.value(*part, -1e9, 1e9);
+        },
+        1u << 24);
+    if (pass.restores()) contacts_ = all;
 }
 
 void StockContacts::state(BulletPass& pass) {

@@ -257,12 +257,15 @@ TEST(SmallStepLifetime, OneSolverServesTwoWorldsAndManySheets) {
     demo::BulletWorld first(&solver), second(&solver);
     std::vector<std::unique_ptr<btSoftBody>> sheets;
     std::vector<std::unique_ptr<WetCloth>> cloths;
+    SheetSettings settings;
+    settings.meetsSheets = false;  // two hang in one place
     for (demo::BulletWorld* world : {&first, &second, &second}) {
         sheets.push_back(test::hangingSheet(world->world().getWorldInfo(), fabrics::cottonPlain(), 0.5, 9));
         sheets.back()->m_cfg.collisions = btSoftBody::fCollision::SDF_RS;
         test::setVelocity(*sheets.back(), {0, 0, 1});
         world->world().addSoftBody(sheets.back().get());
-        cloths.push_back(std::make_unique<WetCloth>(world->world(), *sheets.back(), fabrics::cottonPlain()));
+        cloths.push_back(
+            std::make_unique<WetCloth>(world->world(), *sheets.back(), fabrics::cottonPlain(), settings));
     }
     for (int i = 0; i < 60; ++i) {
         first.step(1.0 / 60, 1);

@@ -1,0 +1,70 @@
+// Finds the nodes and faces, and the pairs of edges, of two clothes or of one that are near each other.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bullet/cloth_contact/near_points.h"
+#include "bullet/cloth_contact/surface_tree.h"
+
+namespace drench {
+
+// A node near a face.
+struct NearFace {
+    int node;
+    int face;  // in the order of its tree
+    float distance;
+    NearestOnFace nearest;
+};
+
+// Two edges that are near each other.
+struct NearEdges {
+    int edge, other;  // in the order of their trees
+    float distance;
+    NearestOfEdges nearest;
+};
+
+class NearPairs {
+  public:
+    struct Distances {
+        float ofFaces, ofEdges;  // of what is near, m
+    };
+
+    // Of two clothes. @param offset  of the origin of the other from that of this one, m
+    void find(const SurfaceTree& cloth, const SurfaceTree& other, const Eigen::Vector3f& offset,
+              const Distances& near);
+    // Of one cloth with itself; its pairs are in `nodes` and `edges`.
+    void findWithin(const SurfaceTree& cloth, const Distances& near);
+
+    // Nodes of the first cloth near faces of the other, and the reverse; in ascending order of nodes, and then of
+    // distance.
+    const std::vector<NearFace>& nodes() const { return nodes_; }
+    const std::vector<NearFace>& nodesOfOther() const { return nodesOfOther_; }
+    const std::vector<NearEdges>& edges() const { return edges_; }
+
+  private:
+    using Box = SurfaceTree::Box;
+
+    void begin(const SurfaceTree& cloth, const SurfaceTree& other, const Eigen::Vector3f& offset,
+               const Distances& near);
+    void finish();
+    void within(int branch);
+    void between(int branch, int other);
+    void betweenLeaves(int leaf, int other);
+    bool areApart(const Box& box, const Box& other) const;
+    bool isSkipped(int branch, int other) const;
+    bool areLevel(int branch, int other) const;
+    void nodesNearFaces(const SurfaceTree& ofNodes, const SurfaceTree::Leaf& nodes,
+                        const SurfaceTree& ofFaces, const SurfaceTree::Leaf& faces,
+                        const Eigen::Vector3f& offset, std::vector<NearFace>& found) const;
+    void edgesNearEdges(const SurfaceTree::Leaf& edges, const SurfaceTree::Leaf& others, bool onlyBorders);
+
+    const SurfaceTree* cloth_ = nullptr;
+    const SurfaceTree* other_ = nullptr;
+    Eigen::Vector3f offset_ = Eigen::Vector3f::Zero();
+    Distances near_ = {0, 0};
+    std::vector<NearFace> nodes_, nodesOfOther_;
+    std::vector<NearEdges> edges_;
+};
+
+}  // namespace drench

@@ -1,0 +1,279 @@
+#include "bullet/cloth_contact/surface_tree.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "cloth/mesh_edges.h"
+
+namespace drench {
+
+namespace {
+
+constexpr std::size_t facesOfLeaf = 8;
+
+Eigen::Vector3f centreOf(const SurfaceTree::Corners& corners) {
+    return (corners[0] + corners[1] + corners[2]) / 3;
+}
+
+// The axis along which places differ most.
+int longestAxis(const std::vector<SurfaceTree::Face>& faces, std::size_t first, std::size_t end,
+                const std::vector<Eigen::Vector3f>& places) {
+    Eigen::Array3f low = places[static_cast<std::size_t>(faces[first].index)], high = low;
+    for (std::size_t f = first; f < end; ++f) {
+        low = low.min(places[static_cast<std::size_t>(faces[f].index)].array());
+        high = high.max(places[static_cast<std::size_t>(faces[f].index)].array());
+    }
+    int axis = 0;
+    (high - low).maxCoeff(&axis);
+    return axis;
+}
+
+// A neighbouring node, and how far it is at rest, m.
+struct Way {
+    int to;
+    float length;
+};
+
+CompressedRows<Way> waysAlongEdges(const std::vector<SurfaceTree::Face>& faces, std::size_t nodes,
+                                   const std::vector<SurfaceTree::Corners>& corners) {
+    return {nodes, [&](const auto& add) {
+                for (const SurfaceTree::Face& face : faces)
+                    for (std::size_t i = 0; i < 3; ++i)
+                        for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3}) {
+                            const auto& at = corners[static_cast<std::size_t>(face.index)];
+                            add(static_cast<std::size_t>(face.nodes[i]),
+                                Way{face.nodes[j], (at[i] - at[j]).norm()});
+                        }
+            }};
+}
+
+}  // namespace
+
+SurfaceTree::SurfaceTree(const std::vector<std::array<int, 3>>& triangles, std::size_t nodes,
+                         const std::vector<Corners>& corners, float notNearer)
+    : positions_(nodes, Eigen::Vector3f::Zero()) {
+    std::vector<Eigen::Vector3f> places;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        faces_.push_back({triangles[t], static_cast<int>(t)});
+        places.push_back(centreOf(corners[t]));
+    }
+    if (!faces_.empty()) makeBranch(faces_, 0, faces_.size(), places);
+    normals_.assign(faces_.size(), Eigen::Vector3f::Zero());
+    boxes_.resize(branches_.size());
+    orientFaces();
+    giveNodesAndEdgesToLeaves();
+    findCloseNodes(corners, notNearer);
+    findAdjacentLeaves();
+}
+
+int SurfaceTree::makeBranch(std::vector<Face>& faces, std::size_t first, std::size_t end,
+                            const std::vector<Eigen::Vector3f>& places) {
+    const auto branch = static_cast<int>(branches_.size());
+    branches_.push_back({{-1, -1}, -1});
+    if (end - first <= facesOfLeaf) {
+        branches_.back().leaf = static_cast<int>(leaves_.size());
+        leaves_.push_back({static_cast<int>(first), static_cast<int>(end), 0, 0, 0, 0, false});
+        return branch;
+    }
+    const int axis = longestAxis(faces, first, end, places);
+    // Whole leaves, so that few are half empty.
+    const std::size_t leaves = (end - first + facesOfLeaf - 1) / facesOfLeaf;
+    const std::size_t middle = first + (leaves + 1) / 2 * facesOfLeaf;
+    const auto at = [&](std::size_t f) { return faces.begin() + static_cast<std::ptrdiff_t>(f); };
+    std::nth_element(at(first), at(middle), at(end), [&](const Face& a, const Face& b) {
+        const float one = places[static_cast<std::size_t>(a.index)][axis],
+                    other = places[static_cast<std::size_t>(b.index)][axis];
+        return std::tie(one, a.index) < std::tie(other, b.index);
+    });
+    const int low = makeBranch(faces, first, middle, places), high = makeBranch(faces, middle, end, places);
+    branches_[static_cast<std::size_t>(branch)].children[0] = low;
+    branches_[static_cast<std::size_t>(branch)].children[1] = high;
+    return branch;
+}
+
+// Turns faces around until each runs along its edges in the opposite sense to its neighbours. What cannot be oriented
+// (a Moebius strip) keeps a seam.
+void SurfaceTree::orientFaces() {
+    std::vector<std::array<int, 3>> triangles;
+    for (const Face& face : faces_) triangles.push_back(face.nodes);
+    const MeshEdges edges(triangles, positions_.size());
+    std::vector<char> isDone(faces_.size(), 0);
+    std::vector<std::size_t> open;
+    const auto runs = [&](std::size_t f, int from, int to) {
+        const auto& nodes = faces_[f].nodes;
+        const auto at = static_cast<std::size_t>(std::find(nodes.begin(), nodes.end(), from) - nodes.begin());
+        return nodes[(at + 1) % 3] == to;
+    };
+    for (std::size_t first = 0; first < faces_.size(); ++first) {
+        if (std::exchange(isDone[first], 1)) continue;
+        open.assign(1, first);
+        while (!open.empty()) {
+            const std::size_t face = open.back();
+            open.pop_back();
+            for (std::size_t apex = 0; apex < 3; ++apex) {
+                const EdgeTriangle* const across = edges.across(face, apex);
+                if (!across || std::exchange(isDone[across->triangle], 1)) continue;
+                const int from = triangles[face][(apex + 1) % 3], to = triangles[face][(apex + 2) % 3];
+                if (runs(face, from, to) == runs(across->triangle, from, to))
+                    std::swap(faces_[across->triangle].nodes[1], faces_[across->triangle].nodes[2]);
+                open.push_back(across->triangle);
+            }
+        }
+    }
+}
+
+void SurfaceTree::giveNodesAndEdgesToLeaves() {
+    std::vector<std::array<int, 3>> inOrder;
+    for (const Face& face : faces_) inOrder.push_back(face.nodes);
+    const MeshEdges edges(inOrder, positions_.size());
+    std::vector<char> hasNode(positions_.size(), 0);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const auto at = edges.trianglesAt(e);
+        const int second = at.size() > 1 ? static_cast<int>(at[1].triangle) : -1;
+        edges_.push_back({edges.ends()[e], {static_cast<int>(at[0].triangle), second}});
+    }
+    // The faces of an edge are in the order of the tree, so this is the order of the leaves too.
+    std::stable_sort(edges_.begin(), edges_.end(),
+                     [](const Edge& a, const Edge& b) { return a.faces[0] < b.faces[0]; });
+    std::size_t edge = 0;
+    for (Leaf& leaf : leaves_) {
+        leaf.firstNode = static_cast<int>(nodes_.size());
+        for (int f = leaf.firstFace; f < leaf.endFace; ++f)
+            for (const int node : faces_[static_cast<std::size_t>(f)].nodes)
+                if (!std::exchange(hasNode[static_cast<std::size_t>(node)], 1)) nodes_.push_back(node);
+        leaf.endNode = static_cast<int>(nodes_.size());
+        leaf.firstEdge = static_cast<int>(edge);
+        while (edge < edges_.size() && edges_[edge].faces[0] < leaf.endFace)
+            leaf.hasBorder = edges_[edge++].isBorder() || leaf.hasBorder;
+        leaf.endEdge = static_cast<int>(edge);
+    }
+}
+
+// Shortest ways from each node (Dijkstra 1959), as far as `notNearer`.
+void SurfaceTree::findCloseNodes(const std::vector<Corners>& corners, float notNearer) {
+    const std::size_t count = positions_.size();
+    const CompressedRows<Way> ways = waysAlongEdges(faces_, count, corners);
+    std::vector<float> shortest(count, std::numeric_limits<float>::infinity());
+    std::vector<std::vector<int>> close(count);
+    std::vector<std::pair<float, int>> open;
+    for (std::size_t node = 0; node < count; ++node) {
+        std::vector<int>& found = close[node];
+        found.push_back(static_cast<int>(node));
+        shortest[node] = 0;
+        open.assign(1, {0.0f, static_cast<int>(node)});
+        while (!open.empty()) {
+            std::pop_heap(open.begin(), open.end(), std::greater<>());
+            const auto [length, at] = open.back();
+            open.pop_back();
+            for (const Way& way : ways[static_cast<std::size_t>(at)]) {
+                float& best = shortest[static_cast<std::size_t>(way.to)];
+                const float whole = length + way.length;
+                const bool isNeighbour = at == static_cast<int>(node);
+                if (!(whole < best) || !(isNeighbour || whole < notNearer)) continue;
+                if (best == std::numeric_limits<float>::infinity()) found.push_back(way.to);
+                best = whole;
+                if (whole >= notNearer) continue;
+                open.emplace_back(whole, way.to);
+                std::push_heap(open.begin(), open.end(), std::greater<>());
+            }
+        }
+        for (const int other : found)
+            shortest[static_cast<std::size_t>(other)] = std::numeric_limits<float>::infinity();
+        std::sort(found.begin(), found.end());
+    }
+    close_ = CompressedRows<int>(count, [&](const auto& add) {
+        for (std::size_t node = 0; node < count; ++node)
+            for (const int other : close[node]) add(node, other);
+    });
+}
+
+void SurfaceTree::findAdjacentLeaves() {
+    std::vector<std::vector<int>> leavesOf(positions_.size());
+    for (std::size_t l = 0; l < leaves_.size(); ++l)
+        for (int f = leaves_[l].firstFace; f < leaves_[l].endFace; ++f)
+            for (const int node : faces_[static_cast<std::size_t>(f)].nodes) {
+                std::vector<int>& of = leavesOf[static_cast<std::size_t>(node)];
+                if (of.empty() || of.back() != static_cast<int>(l)) of.push_back(static_cast<int>(l));
+            }
+    std::vector<std::vector<int>> adjacent(leaves_.size());
+    for (std::size_t node = 0; node < positions_.size(); ++node)
+        for (const int other : close_[node])
+            for (const int leaf : leavesOf[node]) {
+                std::vector<int>& row = adjacent[static_cast<std::size_t>(leaf)];
+                const std::vector<int>& more = leavesOf[static_cast<std::size_t>(other)];
+                row.insert(row.end(), more.begin(), more.end());
+            }
+    for (std::vector<int>& row : adjacent) {
+        std::sort(row.begin(), row.end());
+        row.erase(std::unique(row.begin(), row.end()), row.end());
+    }
+    adjacent_ = CompressedRows<int>(leaves_.size(), [&](const auto& add) {
+        for (std::size_t l = 0; l < adjacent.size(); ++l)
+            for (const int other : adjacent[l]) add(l, other);
+    });
+}
+
+bool SurfaceTree::areClose(int node, int other) const {
+    const auto row = close_[static_cast<std::size_t>(node)];
+    return std::binary_search(row.begin(), row.end(), other);
+}
+
+bool SurfaceTree::areAdjacent(int leaf, int other) const {
+    const auto row = adjacent_[static_cast<std::size_t>(leaf)];
+    return std::binary_search(row.begin(), row.end(), other);
+}
+
+void SurfaceTree::follow(const MovingNode* start, const MovingNode* moved) {
+    for (std::size_t n = 0; n < positions_.size(); ++n)
+        positions_[n] = {start[n].x + moved[n].x, start[n].y + moved[n].y, start[n].z + moved[n].z};
+    constexpr float tiny = 1e-30f;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+        const auto& [a, b, c] = faces_[f].nodes;
+        const Eigen::Vector3f& origin = positions_[static_cast<std::size_t>(a)];
+        const Eigen::Vector3f normal = (positions_[static_cast<std::size_t>(b)] - origin)
+                                           .cross(positions_[static_cast<std::size_t>(c)] - origin);
+        normals_[f] = normal / std::sqrt(normal.squaredNorm() + tiny);
+    }
+    for (std::size_t branch = branches_.size(); branch-- > 0;) {
+        const Branch& at = branches_[branch];
+        boxes_[branch] = at.leaf >= 0 ? boxOf(leaves_[static_cast<std::size_t>(at.leaf)])
+                                      : together(boxes_[static_cast<std::size_t>(at.children[0])],
+                                                 boxes_[static_cast<std::size_t>(at.children[1])]);
+    }
+}
+
+SurfaceTree::Box SurfaceTree::boxOf(const Leaf& leaf) const {
+    constexpr float far = std::numeric_limits<float>::infinity();
+    Box box;
+    box.low = box.lowNormal = Eigen::Array3f::Constant(far);
+    box.high = box.highNormal = Eigen::Array3f::Constant(-far);
+    for (int f = leaf.firstFace; f < leaf.endFace; ++f) {
+        const auto face = static_cast<std::size_t>(f);
+        box.lowNormal = box.lowNormal.min(normals_[face].array());
+        box.highNormal = box.highNormal.max(normals_[face].array());
+        for (const int node : faces_[face].nodes) {
+            box.low = box.low.min(positions_[static_cast<std::size_t>(node)].array());
+            box.high = box.high.max(positions_[static_cast<std::size_t>(node)].array());
+        }
+    }
+    return box;
+}
+
+SurfaceTree::Box SurfaceTree::together(const Box& one, const Box& other) {
+    return {one.low.min(other.low), one.high.max(other.high), one.lowNormal.min(other.lowNormal),
+            one.highNormal.max(other.highNormal)};
+}
+
+bool SurfaceTree::pointToOneSide(const Box& box) {
+    const Eigen::Array3f middle = box.lowNormal + box.highNormal;
+    const float least = (box.lowNormal * middle).min(box.highNormal * middle).sum();
+    constexpr float cosine = 0.5f;
+    return least > cosine * middle.matrix().norm();
+}
+
+}  // namespace drench

@@ -1,0 +1,97 @@
+// The faces, edges and nodes of one cloth in a tree of boxes, to find what is near.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "bullet/simd/nodes.h"
+#include "cloth/compressed_rows.h"
+
+namespace drench {
+
+// Made once for a cloth; its boxes follow the nodes. The tree is made in material coordinates, so that a box holds
+// one piece of cloth, however that is folded. Besides its extent each box holds that of the unit normals of its
+// faces: cloth whose normals all point to one side does not meet itself (Volino and Magnenat-Thalmann, "Efficient
+// self-collision detection on smoothly discretized surface animations", 1994).
+class SurfaceTree {
+  public:
+    struct Face {
+        std::array<int, 3> nodes;  // neighbours in the same sense, so that their normals point to the same side
+        int index;  // in the body
+    };
+    struct Edge {
+        std::array<int, 2> nodes;
+        std::array<int, 2> faces;  // at it, in the order of the tree; the second is -1 at the border
+
+        bool isBorder() const { return faces[1] < 0; }
+    };
+    struct Box {
+        Eigen::Array3f low, high;              // m
+        Eigen::Array3f lowNormal, highNormal;  // of unit normals
+    };
+    // A box with two smaller ones in it, or with a few faces.
+    struct Branch {
+        int children[2];  // -1 for a leaf
+        int leaf;         // -1 if it has children
+    };
+    // Ranges of faces, and of the nodes and edges that this is the first leaf to have.
+    struct Leaf {
+        int firstFace, endFace;
+        int firstNode, endNode;  // in nodes()
+        int firstEdge, endEdge;
+        bool hasBorder;  // whether an edge of the leaf is at the border of the cloth
+    };
+
+    // Material coordinates of the corners of a face, m; the third is 0 for a sheet.
+    using Corners = std::array<Eigen::Vector3f, 3>;
+
+    // @param triangles   node indices of each face of the body
+    // @param notNearer   see `areClose`, m
+    SurfaceTree(const std::vector<std::array<int, 3>>& triangles, std::size_t nodes,
+                const std::vector<Corners>& corners, float notNearer);
+
+    // Takes over the positions of the nodes: their start and their displacement, m.
+    void follow(const MovingNode* start, const MovingNode* moved);
+
+    // Whether two nodes are neighbours, or have a way along edges that is shorter than `notNearer` at rest. They
+    // are as near by nature, and are not to be kept apart.
+    bool areClose(int node, int other) const;
+
+    std::size_t nodeCount() const { return positions_.size(); }
+    const std::vector<Eigen::Vector3f>& positions() const { return positions_; }
+    const std::vector<Face>& faces() const { return faces_; }
+    const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
+    const std::vector<Edge>& edges() const { return edges_; }
+    const std::vector<int>& nodes() const { return nodes_; }
+    const std::vector<Branch>& branches() const { return branches_; }
+    const std::vector<Box>& boxes() const { return boxes_; }
+    const std::vector<Leaf>& leaves() const { return leaves_; }
+    // Whether two leaves have nodes that are close.
+    bool areAdjacent(int leaf, int other) const;
+
+    // Whether all normals in a box are within 60 degrees of some direction.
+    static bool pointToOneSide(const Box& box);
+    static Box together(const Box& one, const Box& other);
+
+  private:
+    int makeBranch(std::vector<Face>& faces, std::size_t first, std::size_t end,
+                   const std::vector<Eigen::Vector3f>& places);
+    void orientFaces();
+    void giveNodesAndEdgesToLeaves();
+    void findCloseNodes(const std::vector<Corners>& corners, float notNearer);
+    void findAdjacentLeaves();
+    Box boxOf(const Leaf& leaf) const;
+    std::vector<Face> faces_;
+    std::vector<Edge> edges_;
+    std::vector<int> nodes_;
+    std::vector<Branch> branches_;  // each before its children
+    std::vector<Leaf> leaves_;
+    CompressedRows<int> adjacent_;    // leaves
+    CompressedRows<int> close_;       // nodes, in ascending order
+    std::vector<Eigen::Vector3f> positions_;
+    std::vector<Eigen::Vector3f> normals_;  // of the faces, of unit length
+    std::vector<Box> boxes_;                // of the branches
+};
+
+}  // namespace drench
