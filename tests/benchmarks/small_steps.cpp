@@ -142,8 +142,9 @@ class Hanging {
         StaticProblem problem;
         std::vector<Eigen::Vector2d> coordinates;
         for (int n = 0; n < body.m_nodes.size(); ++n) {
-            const double x = -sideLength / 2 + sideLength * (n % nodes_) / (nodes_ - 1),
-                         y = -sideLength * (n / nodes_) / (nodes_ - 1);
+            const int row = n / nodes_, column = n % nodes_;
+            const double x = sideLength * column / (nodes_ - 1) - sideLength / 2;
+            const double y = -sideLength * row / (nodes_ - 1);
             problem.positions.emplace_back(x, y, 0);
             coordinates.emplace_back(x, -y);
             const btSoftBody::Node& node = body.m_nodes[n];
