@@ -112,6 +112,7 @@ std::vector<Eigen::Vector3f> Renderer::Passes::upload(const Picture& picture) {
 void Renderer::Passes::drawShadows(const FrameUniforms& uniforms) const {
     frameBlock_.bind(uniforms);
     shadow_.begin();
+    sheets_.round();
     // Solids first: behind them there is no sunlight, with or without sheets.
     solids_.drawShadows();
     sheets_.drawShadows();

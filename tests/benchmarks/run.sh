@@ -5,9 +5,9 @@ set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd)
 . "$root/cmake/prepare.sh"
 
-install_missing "${build_packages[@]}" "${picture_packages[@]}" libbenchmark-dev
+install_missing "${build_packages[@]}" libbenchmark-dev
 build_in "$root/build-benchmarks" drench_benchmarks \
-  -DDRENCH_BUILD_BENCHMARKS=ON -DDRENCH_BUILD_TESTS=OFF -DDRENCH_BUILD_DEMOS=ON
+  -DDRENCH_BUILD_BENCHMARKS=ON -DDRENCH_BUILD_TESTS=OFF -DDRENCH_BUILD_DEMOS=OFF
 programs="$root/build-benchmarks/tests/benchmarks"
 mkdir -p "$root/docs/benchmarks"
 

@@ -1,6 +1,7 @@
 // Times whole frames of a hanging sheet with the stock solver, dry, and with small steps, wet, in turns in one
 // run; how far each is from rest as it should be; the hot loops by themselves; and the cost per node from small
-// sheets to large ones. Takes two minutes or so. All times are processor time of one thread.
+// sheets to large ones. Takes two minutes or so; --nodes=N does all of it with sheets of N x N nodes only. All
+// times are processor time of one thread.
 #include <drench/drench.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ namespace drench::test {
 namespace {
 
 constexpr double frame = 1.0 / 60;  // s
-constexpr double side = 1;          // m
+constexpr double sideLength = 1;    // m
 constexpr double wetness = 0.1;     // kg/m2
 constexpr double ballRadius = 0.25;
 
@@ -54,11 +55,11 @@ class Hanging {
           fabric_(fabrics::cottonPlain()),
           solver_(settings(steps)),
           bullet_(mover == Mover::smallSteps ? &solver_ : nullptr) {
-        sheet_ = makeSheet(
-            bullet_.world().getWorldInfo(), fabric_,
-            flatCorners({btScalar(-side / 2), 0, 0}, {btScalar(side), 0, 0},
-                        withBall ? btVector3(0, 0, btScalar(side)) : btVector3(0, btScalar(-side), 0)),
-            nodes, nodes);
+        sheet_ = makeSheet(bullet_.world().getWorldInfo(), fabric_,
+                           flatCorners({btScalar(-sideLength / 2), 0, 0}, {btScalar(sideLength), 0, 0},
+                                       withBall ? btVector3(0, 0, btScalar(sideLength))
+                                                : btVector3(0, btScalar(-sideLength), 0)),
+                           nodes, nodes);
         for (int i = 0; i < nodes; ++i) sheet_->m_nodes[i].m_im = 0;
         if (mover == Mover::stockInMeshOrder) putLinksInMeshOrder();
         if (mover != Mover::smallSteps) sheet_->m_cfg.piterations = 10;
@@ -141,8 +142,9 @@ class Hanging {
         StaticProblem problem;
         std::vector<Eigen::Vector2d> coordinates;
         for (int n = 0; n < body.m_nodes.size(); ++n) {
-            const double x = -side / 2 + side * (n % nodes_) / (nodes_ - 1),
-                         y = -side * (n / nodes_) / (nodes_ - 1);
+            const int row = n / nodes_, column = n % nodes_;
+            const double x = sideLength * column / (nodes_ - 1) - sideLength / 2;
+            const double y = -sideLength * row / (nodes_ - 1);
             problem.positions.emplace_back(x, y, 0);
             coordinates.emplace_back(x, -y);
             const btSoftBody::Node& node = body.m_nodes[n];
@@ -332,8 +334,8 @@ void timeLoops(Table& table, int side) {
     }
 }
 
-void timeSizes(Table& table) {
-    for (const int nodes : {32, 64, 128, 256, 512}) {
+void timeSizes(Table& table, const std::vector<int>& sizes) {
+    for (const int nodes : sizes) {
         Hanging drench(Mover::smallSteps, nodes, 20, false);
         drench.timedFrame();  // the one that packs the sheet
         std::vector<double> times;
@@ -345,25 +347,46 @@ void timeSizes(Table& table) {
     }
 }
 
-int run(int argc, char** argv) {
+// What the command line says.
+struct Options {
     std::string csv;
-    for (int i = 1; i < argc; ++i) {
-        const std::string argument = argv[i];
-        if (argument.rfind("--csv=", 0) != 0 || argument.size() <= 6) {
-            std::cerr << argument << ": not an option; --csv=PATH is\n";
+    std::vector<int> compared{64, 128};              // nodes along a side
+    std::vector<int> bySize{32, 64, 128, 256, 512};  // the same
+};
+
+// The number of nodes that a text says, or 0 if it says none from 4 to 1024.
+int nodesFrom(const std::string& text) {
+    if (text.empty() || text.size() > 4 || text.find_first_not_of("0123456789") != std::string::npos)
+        return 0;
+    const int nodes = std::stoi(text);
+    return nodes >= 4 && nodes <= 1024 ? nodes : 0;
+}
+
+bool read(Options& options, const std::string& argument) {
+    const std::size_t equals = argument.find('=');
+    if (equals == std::string::npos) return false;
+    const std::string name = argument.substr(0, equals), value = argument.substr(equals + 1);
+    if (name == "--csv") options.csv = value;
+    if (name == "--nodes") options.compared = options.bySize = {nodesFrom(value)};
+    return (name == "--csv" && !value.empty()) || (name == "--nodes" && nodesFrom(value) > 0);
+}
+
+int run(int argc, char** argv) {
+    Options options;
+    for (int i = 1; i < argc; ++i)
+        if (!read(options, argv[i])) {
+            std::cerr << argv[i] << ": not an option; --csv=PATH and --nodes=N, 4 to 1024, are\n";
             return 2;
         }
-        csv = argument.substr(6);
-    }
     std::cerr << machine() << ", " << compiler() << ", hot loops: " << bestKernels().name << '\n';
     Table table;
-    for (const int nodes : {64, 128}) timeLoops(table, nodes);
-    for (const int nodes : {64, 128})
+    for (const int nodes : options.compared) timeLoops(table, nodes);
+    for (const int nodes : options.compared)
         for (const bool withBall : {false, true})
             for (const int steps : {20, 0}) compareFrames(table, nodes, steps, withBall);
-    timeSizes(table);
-    if (csv.empty() || table.save(csv)) return 0;
-    std::cerr << "cannot write " << csv << '\n';
+    timeSizes(table, options.bySize);
+    if (options.csv.empty() || table.save(options.csv)) return 0;
+    std::cerr << "cannot write " << options.csv << '\n';
     return 1;
 }
 

@@ -199,6 +199,27 @@ TEST(SheetSurface, IsRoundedWhereItIsSmoothAndNotInASharpFold) {
     EXPECT_EQ((*viewer::sheetSurface(folded(2.5f)))[onTheLine].roundness, 0.0f);
 }
 
+// The middle of a dome, a piece of a sphere, seen from both sides.
+TEST(SheetSurface, KnowsItsNormalsAndItsCurvature) {
+    constexpr float radius = 0.5f, spacing = 0.02f;
+    viewer::SheetMesh dome;
+    for (const float y : {-spacing, 0.0f, spacing})
+        for (const float x : {-spacing, 0.0f, spacing})
+            dome.positions.emplace_back(x, y, std::sqrt(radius * radius - x * x - y * y));
+    for (const std::uint32_t corner : {0u, 1u, 3u, 4u}) {
+        dome.triangles.push_back({corner, corner + 1, corner + 4});
+        dome.triangles.push_back({corner, corner + 4, corner + 3});
+    }
+    dome.albedo.assign(9, Eigen::Vector3f::Ones());
+    dome.gloss.assign(9, 0.0f);
+    for (const float side : {1.0f, -1.0f}) {
+        const viewer::SheetVertex top = (*viewer::sheetSurface(dome))[4];
+        EXPECT_NEAR(top.normal.z(), side, 1e-5f);
+        EXPECT_NEAR(top.hollow, -side / radius, 0.02f / radius);
+        for (auto& triangle : dome.triangles) std::swap(triangle[0], triangle[1]);
+    }
+}
+
 TEST_F(ClothLook, ListsOfTheWrongLengthAreRefusedByName) {
     const Portrait portrait(fabrics::cottonPlain());
     viewer::Picture picture = portrait.picture();

@@ -1,6 +1,6 @@
 # cmake -DPROGRAM=... -DTIMEOUT=s -DOUTPUT=file -P: writes a test of ctest for each suite of a program of GoogleTest's.
 cmake_minimum_required(VERSION 3.22)
-set(pictures TenSteps Picture Picking ClothLook Views Areas WaterPicture)
+set(pictures TenSteps Picture Picking ClothLook RoundedSheet Views Areas WaterPicture)
 
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "\n[^ \n]+\\.\n" suites "\n${listed}")

@@ -40,11 +40,25 @@ ShaderProgram::ShaderProgram(const std::string& name, std::initializer_list<std:
     const GlObject<ShaderKind<GL_FRAGMENT_SHADER>> fragmentShader;
     compile(vertexShader.name(), name, joined(vertexPieces));
     compile(fragmentShader.name(), name, joined(fragmentPieces));
-    glAttachShader(program_.name(), vertexShader.name());
-    glAttachShader(program_.name(), fragmentShader.name());
+    link(name, {vertexShader.name(), fragmentShader.name()});
+}
+
+ShaderProgram ShaderProgram::capturing(const std::string& name,
+                                       std::initializer_list<std::string_view> vertexPieces,
+                                       std::initializer_list<const char*> outputs) {
+    const GlObject<ShaderKind<GL_VERTEX_SHADER>> vertexShader;
+    compile(vertexShader.name(), name, joined(vertexPieces));
+    ShaderProgram result;
+    glTransformFeedbackVaryings(result.program_.name(), static_cast<GLsizei>(outputs.size()), outputs.begin(),
+                                GL_INTERLEAVED_ATTRIBS);
+    result.link(name, {vertexShader.name()});
+    return result;
+}
+
+void ShaderProgram::link(const std::string& name, std::initializer_list<GLuint> shaders) const {
+    for (const GLuint shader : shaders) glAttachShader(program_.name(), shader);
     glLinkProgram(program_.name());
-    glDetachShader(program_.name(), vertexShader.name());
-    glDetachShader(program_.name(), fragmentShader.name());
+    for (const GLuint shader : shaders) glDetachShader(program_.name(), shader);
     GLint linked = GL_FALSE;
     glGetProgramiv(program_.name(), GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE) {
@@ -63,9 +77,10 @@ void ShaderProgram::bindInputs() const {
     glUniform1i(glGetUniformLocation(program_.name(), "scene"), 1);
     glUniform1i(glGetUniformLocation(program_.name(), "sunDepth"), 2);
     glUniform1i(glGetUniformLocation(program_.name(), "sceneDepth"), 3);
-    glUniform1i(glGetUniformLocation(program_.name(), "wetness"), 6);
     glUniform1i(glGetUniformLocation(program_.name(), "sunPassing"), 4);
     glUniform1i(glGetUniformLocation(program_.name(), "sheetLayers"), 5);
+    glUniform1i(glGetUniformLocation(program_.name(), "wetness"), 6);
+    glUniform1i(glGetUniformLocation(program_.name(), "sheetNodes"), 7);
     glUseProgram(0);
 }
 

@@ -1,63 +1,45 @@
 // A sheet in graphics memory.
 #pragma once
 
-#include <cstddef>
-
 #include "viewer/gl/gl_object.h"
-#include "viewer/passes/sheet_rounding.h"
+#include "viewer/gl/shader_program.h"
+#include "viewer/passes/sheet_division.h"
+#include "viewer/passes/sheet_surface.h"
 #include "viewer/passes/sheet_uniforms.h"
 
 namespace drench::viewer {
 
-// The vertices and triangles of one sheet; reused for each frame.
+// The vertices and triangles of one sheet. Each frame brings its nodes; the graphics card bends divided triangles
+// to follow the normals at their corners, so that cloth on a ball looks round and the ball does not show through
+// flat facets. The nodes themselves do not move.
 class SheetBuffer {
   public:
-    SheetBuffer() {
-        glBindVertexArray(vertexArray_.name());
-        glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
-        attribute(0, 3, offsetof(SheetVertex, position));
-        attribute(1, 3, offsetof(SheetVertex, normal));
-        attribute(2, 3, offsetof(SheetVertex, albedo));
-        attribute(3, 3, offsetof(SheetVertex, gloss));   // with dampness and transmittance
-        attribute(4, 2, offsetof(SheetVertex, hollow));  // with the value
-        attribute(5, 2, offsetof(SheetVertex, clothCoordinates));
-        glBindVertexArray(0);
-    }
+    // Needs a current OpenGL context.
+    SheetBuffer();
 
-    // Replaces the sheet.
-    void upload(const SheetTriangles& sheet, const SheetUniforms& uniforms) {
-        glBindBuffer(GL_UNIFORM_BUFFER, uniforms_.name());
-        glBufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
-        glBindVertexArray(vertexArray_.name());
-        glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(sheet.vertices.size() * sizeof(SheetVertex)),
-                     sheet.vertices.data(), GL_STREAM_DRAW);
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                     static_cast<GLsizeiptr>(sheet.triangles.size() * sizeof(sheet.triangles[0])),
-                     sheet.triangles.data(), GL_STREAM_DRAW);
-        glBindVertexArray(0);
-        indexCount_ = static_cast<GLsizei>(3 * sheet.triangles.size());
-    }
-
-    void draw() const {
-        glBindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms_.name());
-        glBindVertexArray(vertexArray_.name());
-        glDrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
-    }
+    // Replaces the nodes, and the triangles if they are others than before.
+    void upload(const std::vector<SheetVertex>& nodes, const std::vector<Triangle>& triangles,
+                const SheetUniforms& uniforms);
+    // Computes the vertices with the program of sheetRounding.glsl, after each upload and before drawing.
+    void round(const ShaderProgram& rounding) const;
+    void draw() const;
 
   private:
-    static void attribute(GLuint location, GLint size, std::size_t offset) {
-        glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(SheetVertex),
-                              reinterpret_cast<const void*>(offset));
-        glEnableVertexAttribArray(location);
-    }
+    void replaceTriangles(const DividedSheet& sheet);
 
-    VertexArray vertexArray_;
-    Buffer vertices_;
+    SheetDivision division_;
+    // Constant until the triangles change.
+    Buffer corners_;
     Buffer indices_;
-    Buffer uniforms_;
+    GLsizei dividedCount_ = 0;
     GLsizei indexCount_ = 0;
+    // Nodes of divided sheets, and the texture through which the rounding reads them.
+    Buffer nodes_;
+    Texture nodeTexture_;
+    Buffer vertices_;
+    Buffer uniforms_;
+    VertexArray cornerArray_;
+    VertexArray vertexArray_;
 };
 
 }  // namespace drench::viewer

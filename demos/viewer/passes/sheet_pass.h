@@ -18,6 +18,8 @@ class SheetPass {
     // `casters`. Throws as sheetSurface does.
     void upload(const Picture& picture, std::vector<Eigen::Vector3f>& casters);
     bool empty() const { return count_ == 0; }
+    // Computes what is drawn, after each upload. Draws nothing, but OpenGL wants a complete framebuffer bound.
+    void round() const;
     // Draws into the bound shadow map.
     void drawShadows() const;
     // Draws the transmittance of each sheet into the bound layers, where no solid in the resolved scene hides
@@ -29,6 +31,7 @@ class SheetPass {
   private:
     void drawAll() const;
 
+    ShaderProgram roundingProgram_;
     ShaderProgram program_;
     ShaderProgram shadowProgram_;
     ShaderProgram layerProgram_;

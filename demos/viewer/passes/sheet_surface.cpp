@@ -61,13 +61,11 @@ std::vector<SheetVertex> bareVertices(const SheetMesh& sheet) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         SheetVertex& vertex = vertices[i];
         vertex.position = sheet.positions[i];
-        vertex.normal.setZero();
         vertex.albedo = sheet.albedo[i].cwiseMax(0.0f).cwiseMin(1.0f);
         vertex.gloss = std::clamp(sheet.gloss[i], 0.0f, 1.0f);
         vertex.dampness = std::clamp(entry(sheet.dampness, i), 0.0f, 1.0f);
         vertex.transmittance = std::clamp(entry(sheet.transmittance, i), 0.0f, 1.0f);
         vertex.value = entry(sheet.values, i);
-        vertex.hollow = 0.0f;
         // Constant coordinates disable the weave pattern.
         vertex.clothCoordinates.setZero();
         if (!sheet.clothCoordinates.empty() && sheet.clothCoordinates[i].allFinite())
@@ -84,46 +82,49 @@ float roundnessOf(float agreement) {
     return std::clamp((agreement - sharp) / (smooth - sharp), 0.0f, 1.0f);
 }
 
-void computeNormals(const SheetMesh& sheet, std::vector<SheetVertex>& vertices) {
-    std::vector<float> areas(vertices.size(), 0.0f);
-    for (const auto& triangle : sheet.triangles) {
-        const auto& [a, b, c] = triangle;
-        const Eigen::Vector3f origin = vertices[a].position;
-        // The length of the cross product is twice the area, so the average is area-weighted.
-        const Eigen::Vector3f normal = (vertices[b].position - origin).cross(vertices[c].position - origin);
-        const float area = normal.norm();
-        for (const std::uint32_t corner : triangle) {
-            vertices[corner].normal += normal;
-            areas[corner] += area;
-        }
+// Sums over the triangles around a node.
+struct Surroundings {
+    // Twice as long as the triangles are large.
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+    float doubleArea = 0.0f;
+    // Their edges away from the node.
+    Eigen::Vector3f edges = Eigen::Vector3f::Zero();
+    float squaredLengths = 0.0f;
+};
+
+std::vector<Surroundings> surroundings(const SheetMesh& sheet) {
+    std::vector<Surroundings> result(sheet.positions.size());
+    for (const auto& [a, b, c] : sheet.triangles) {
+        const Eigen::Vector3f ab = sheet.positions[b] - sheet.positions[a];
+        const Eigen::Vector3f bc = sheet.positions[c] - sheet.positions[b];
+        const Eigen::Vector3f ca = sheet.positions[a] - sheet.positions[c];
+        const Eigen::Vector3f normal = ca.cross(ab);
+        const float doubleArea = normal.norm();
+        const auto add = [&](std::uint32_t corner, const Eigen::Vector3f& to, const Eigen::Vector3f& from) {
+            Surroundings& sums = result[corner];
+            sums.normal += normal;
+            sums.doubleArea += doubleArea;
+            sums.edges += to - from;
+            sums.squaredLengths += to.squaredNorm() + from.squaredNorm();
+        };
+        add(a, ab, ca);
+        add(b, bc, ab);
+        add(c, ca, bc);
     }
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        SheetVertex& vertex = vertices[i];
-        const float length = vertex.normal.norm();
-        vertex.roundness = areas[i] > 0.0f ? roundnessOf(length / areas[i]) : 0.0f;
-        vertex.normal = length > 0.0f ? Eigen::Vector3f(vertex.normal / length) : Eigen::Vector3f::UnitY();
-    }
+    return result;
 }
 
-void computeHollows(const SheetMesh& sheet, std::vector<SheetVertex>& vertices) {
-    std::vector<float> rise(vertices.size(), 0.0f);
-    std::vector<float> spread(vertices.size(), 0.0f);
-    const auto addEdge = [&](std::uint32_t from, std::uint32_t to) {
-        const Eigen::Vector3f edge = vertices[to].position - vertices[from].position;
-        rise[from] += edge.dot(vertices[from].normal);
-        spread[from] += edge.squaredNorm();
-    };
-    for (const auto& [a, b, c] : sheet.triangles) {
-        addEdge(a, b);
-        addEdge(a, c);
-        addEdge(b, a);
-        addEdge(b, c);
-        addEdge(c, a);
-        addEdge(c, b);
-    }
+void computeShape(const SheetMesh& sheet, std::vector<SheetVertex>& vertices) {
+    const std::vector<Surroundings> around = surroundings(sheet);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
+        SheetVertex& vertex = vertices[i];
+        const Surroundings& sums = around[i];
+        const float length = sums.normal.norm();
+        vertex.roundness = sums.doubleArea > 0.0f ? roundnessOf(length / sums.doubleArea) : 0.0f;
+        vertex.normal = length > 0.0f ? Eigen::Vector3f(sums.normal / length) : Eigen::Vector3f::UnitY();
         // A circle of curvature k rises by k * d^2 / 2 at the distance d.
-        vertices[i].hollow = spread[i] > 0.0f ? 2.0f * rise[i] / spread[i] : 0.0f;
+        const float rise = sums.edges.dot(vertex.normal);
+        vertex.hollow = sums.squaredLengths > 0.0f ? 2.0f * rise / sums.squaredLengths : 0.0f;
     }
 }
 
@@ -133,8 +134,7 @@ std::optional<std::vector<SheetVertex>> sheetSurface(const SheetMesh& sheet) {
     requireConsistent(sheet);
     if (!drawable(sheet)) return std::nullopt;
     std::vector<SheetVertex> vertices = bareVertices(sheet);
-    computeNormals(sheet, vertices);
-    computeHollows(sheet, vertices);
+    computeShape(sheet, vertices);
     return vertices;
 }
 

@@ -23,8 +23,8 @@ extern const char patchVertex[], patchFragment[];
 extern const char relief[], threads[], cloth[], hem[];
 
 // Sheets.
-extern const char sheetBlock[], sheetVertex[], dye[], seeThrough[], sheetLight[], sheetFragment[],
-    sheetLayerFragment[];
+extern const char sheetRounding[], sheetBlock[], sheetVertex[], dye[], seeThrough[], sheetLight[],
+    sheetFragment[], sheetLayerFragment[];
 
 // Shadow map of sheets and solids.
 extern const char sheetShadowFragment[], solidShadowFragment[];

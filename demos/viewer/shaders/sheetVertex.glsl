@@ -1,9 +1,8 @@
-layout(location = 0) in vec3 nodePosition;
-layout(location = 1) in vec3 nodeNormal;
-layout(location = 2) in vec3 nodeAlbedo;
-layout(location = 3) in vec3 nodeWater;
-layout(location = 4) in vec2 nodeShape;
-layout(location = 5) in vec2 nodeCloth;
+layout(location = 0) in vec3 vertexPosition;
+layout(location = 1) in vec4 normalAndHollow;
+layout(location = 2) in vec4 albedoAndValue;
+layout(location = 3) in vec2 clothCoordinates;
+layout(location = 4) in vec3 water;
 out vec3 position;
 out vec3 normal;
 out vec3 albedo;
@@ -15,14 +14,14 @@ out float value;
 out vec2 cloth;
 
 void main() {
-    position = nodePosition;
-    normal = nodeNormal;
-    albedo = nodeAlbedo;
-    gloss = nodeWater.x;
-    dampness = nodeWater.y;
-    transmittance = nodeWater.z;
-    hollow = nodeShape.x;
-    value = nodeShape.y;
-    cloth = nodeCloth;
-    gl_Position = clipFromWorld * vec4(nodePosition, 1.0);
+    position = vertexPosition;
+    normal = normalAndHollow.xyz;
+    hollow = normalAndHollow.w;
+    albedo = albedoAndValue.xyz;
+    value = albedoAndValue.w;
+    cloth = clothCoordinates;
+    gloss = water.x;
+    dampness = water.y;
+    transmittance = water.z;
+    gl_Position = clipFromWorld * vec4(vertexPosition, 1.0);
 }
