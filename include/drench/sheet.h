@@ -33,8 +33,9 @@ DRENCH_API Corners flatCorners(const btVector3& origin, const btVector3& warpEdg
 /// Links: structural links along both directions, both diagonals of each cell for shear, and links over two cells for
 /// bending (marked m_bbending). They are sorted by graph colouring, which keeps Bullet's sweeps stable. Node masses are
 /// those of the dry fabric; the margin is a quarter of a cell, at most 20 mm; the friction is that of the dry fabric on
-/// a smooth plate. It collides with other soft bodies only if both have fCollision::VF_SS in m_cfg.collisions, which
-/// is not set here; it passes through itself. Stiffness in N/m needs a `WetCloth`; without one the sheet is an ordinary patch.
+/// a smooth plate. With a `WetCloth` and a SmallStepSolver it meets itself and other such sheets (see SheetSettings);
+/// otherwise it passes through itself, and collides with other soft bodies only if both have fCollision::VF_SS in
+/// m_cfg.collisions, which is not set here. Stiffness in N/m needs a `WetCloth`; without one the sheet is an ordinary patch.
 ///
 /// If the voxel size of `worldInfo.m_sparsesdf` is larger than a cell it is set to half a cell, because contacts would
 /// otherwise be found at wrong positions.

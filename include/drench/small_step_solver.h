@@ -61,7 +61,8 @@ struct SmallStepSettings {
 /// - m_cfg.kDP as a rate, 1/s: the velocity is multiplied by exp(-kDP t) (Bullet: by 1 - kDP per substep);
 /// - kDF times a solid's friction as the friction coefficient of dry cloth, unless WetCloth::setSurface was called for
 ///   the solid; between soft bodies the larger kDF. Water changes both, and adds adhesion;
-/// - the margin, as the distance at which cloth rests on solids; convex hulls add their own;
+/// - the margin, as the distance at which cloth rests on solids; convex hulls add their own. Layers of cloth rest at the
+///   sum of both margins;
 /// - rest lengths at the time when the WetCloth was made, times setRestLengthScale.
 ///
 /// Body settings that are ignored: iterations, kVCF, hardness of contacts and anchors (kCHR, kKHR, kSHR, kAHR),
@@ -72,6 +73,11 @@ struct SmallStepSettings {
 /// contact response). A frame may have several substeps. Rigid bodies and links react to the cloth: at the end of the
 /// substep its impulses change their velocity, and their position unless other solids touch them. Shapes may be any but
 /// planes and btSdfCollisionShape; triangles are taken from meshes and height fields as these are at the moment.
+///
+/// Sheets meet themselves and each other (see `SheetSettings::meetsItself` and `meetsSheets`): layers keep twice the
+/// margin, or the sum of both, from each other, with friction and adhesion. Linear momentum is kept; friction, which
+/// acts on both layers at that distance, takes a little of the angular momentum. Nodes that pass each other by more than
+/// about a cell in a small step are not kept apart.
 ///
 /// A solid that the application moves by more than 0.5 m from one frame to the next and at more than 30 m/s, or turns by
 /// more than 120 degrees, has jumped: it is where it is now and pushes nothing on its way, and a sheet that is anchored to

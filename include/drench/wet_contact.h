@@ -36,9 +36,9 @@ class DRENCH_API WetBody final : public Source {
 
 /// Water transfer between two sheets that touch. Between a node and the face that it touches, pore saturations even out
 /// with the slower of the two wetting times, and film thicknesses with a time constant of 0.1 s (both assumed). Faces
-/// in contact do not dry. Add it to one of the two sheets. Contacts are Bullet's between soft bodies:
-/// btSoftBody::m_scontacts, for which both bodies need fCollision::VF_SS in m_cfg.collisions; in the
-/// deformable world m_faceNodeContacts and VF_DD, by which a WetCloth replaces VF_SS.
+/// in contact do not dry. Add it to one of the two sheets. Contacts are those that Bullet lists between soft bodies:
+/// btSoftBody::m_scontacts, for which both bodies need fCollision::VF_SS in m_cfg.collisions or a SmallStepSolver; in
+/// the deformable world m_faceNodeContacts and VF_DD, by which a WetCloth replaces VF_SS.
 class DRENCH_API Touch final : public Source {
   public:
     /// @param other  the other sheet, in the same world; once it is destroyed, this source has no effect

@@ -118,8 +118,8 @@ void ClothContact::findResponse() {
 }
 
 ContactStep::ContactStep(float length) : square_(length * length) {
-    constexpr float time = 0.02f;     // in which an overlap is resolved, s (assumed)
-    constexpr float perSecond = 10;   // distances, at most (assumed)
+    constexpr float time = 0.02f;    // in which an overlap is resolved, s (assumed)
+    constexpr float perSecond = 10;  // distances, at most (assumed)
     closing_ = std::min(length / time, 1.0f);
     fastest_ = perSecond * length;
 }
@@ -149,12 +149,12 @@ void ContactStep::goOn(ClothContact& contact) const {
     moveApart(contact, contact.normal * contact.push + contact.drag);
 }
 
-void ContactStep::solve(ClothContact& contact) const {
-    if (!contact.isActive || !(contact.response > 0)) return;
+float ContactStep::solve(ClothContact& contact) const {
+    if (!contact.isActive || !(contact.response > 0)) return 0;
     const Eigen::Vector3f apart = contact.apart();
     const float gap = contact.gapAt(apart);
-    if (gap > 0 && contact.push == 0 && !contact.adheres) return;
-    if (!(std::abs(gap) < std::numeric_limits<float>::max())) return;
+    if (gap > 0 && contact.push == 0 && !contact.adheres) return 0;
+    if (!(std::abs(gap) < std::numeric_limits<float>::max())) return 0;
     contact.adheres = contact.adhesion > 0 && (contact.adheres || gap < 0) && gap < contact.reach;
     const float pull = contact.adheres ? contact.adhesion * square_ * contact.response : 0;
     const float target = std::min(0.0f, -contact.gapBefore);
@@ -166,18 +166,24 @@ void ContactStep::solve(ClothContact& contact) const {
     Eigen::Vector3f drag = contact.drag - slip;
     const float most = contact.friction * (push + pull), needed = drag.norm();
     if (needed > most) drag *= needed > 0 ? std::max(most, 0.0f) / needed : 0.0f;
-    moveApart(contact, contact.normal * (push - contact.push) + (drag - contact.drag));
+    const Eigen::Vector3f by = contact.normal * (push - contact.push) + (drag - contact.drag);
+    moveApart(contact, by);
     contact.push = push;
     contact.drag = drag;
     contact.touched = contact.touched || push > 0 || contact.adheres;
+    return by.lpNorm<Eigen::Infinity>() / contact.distance;
 }
 
 void ContactStep::finish(ClothContact& contact) const {
     if (!(contact.response > 0)) return;
     const Eigen::Vector3f apart = contact.apart();
     const float perForce = square_ * contact.response;
-    contact.forces.push = contact.push / perForce;
-    contact.forces.drag = contact.drag / perForce;
+    // A load goes on, an impact does not: what would hold the nodes at this acceleration may be added in a step.
+    constexpr float growth = 1.5f, added = 20;  // m/s2 (assumed)
+    const float push = contact.push / perForce;
+    const float goesOn = std::min(push, growth * contact.forces.push + added / contact.response);
+    contact.forces.drag = contact.drag * ((push > 0 ? goesOn / push : 1.0f) / perForce);
+    contact.forces.push = goesOn;
     constexpr float near = 0.1f;
     const float farthest = near * contact.distance;
     const bool hasEnd = contact.isTilted || contact.isOfEdges;

@@ -22,25 +22,26 @@ struct ClothContact {
     std::array<MovingNode*, 4> reference;  // from which their velocity counts: a shift of both adds none
     std::array<const char*, 4> isCarried;  // by a solid
     Eigen::Vector4f weights;
-    std::array<Eigen::Vector3f, 3> offsets;  // of the other nodes from the first, at the start of the substep, m
-    Eigen::Vector3f normal;                  // from the face to the node, or from the other edge to this one
-    Eigen::Vector3f renewedAt;               // displacement apart for which the plane was found, m
-    Eigen::Vector3f before;                  // displacement apart at the start of the small step, m
-    float distance;                          // that contact keeps, m
-    float gap;                               // then, beyond that distance, m
-    float response;                          // to an impulse along the normal, 1/kg
-    float friction;                          // coefficient
-    float adhesion = 0;                      // N
-    float reach = 0;                         // of adhesion, m
-    float side = 0;         // on which the node is: 1 for that of the face's normal, -1; 0 if unknown
+    std::array<Eigen::Vector3f, 3>
+        offsets;                // of the other nodes from the first, at the start of the substep, m
+    Eigen::Vector3f normal;     // from the face to the node, or from the other edge to this one
+    Eigen::Vector3f renewedAt;  // displacement apart for which the plane was found, m
+    Eigen::Vector3f before;     // displacement apart at the start of the small step, m
+    float distance;             // that contact keeps, m
+    float gap;                  // then, beyond that distance, m
+    float response;             // to an impulse along the normal, 1/kg
+    float friction;             // coefficient
+    float adhesion = 0;         // N
+    float reach = 0;            // of adhesion, m
+    float side = 0;             // on which the node is: 1 for that of the face's normal, -1; 0 if unknown
     bool isOfEdges = false;
     bool isActive = true;   // false for edges while the nearest point is an end of one
     bool isTilted = false;  // whether the nearest point is on the border of the cloth, or on a sharp fold
     bool adheres = false;
     bool touched = false;
 
-    float gapBefore = 0;                             // at the start of the small step, m
-    float push = 0;                                  // in the small step, as the distance that it moves both, m
+    float gapBefore = 0;  // at the start of the small step, m
+    float push = 0;       // in the small step, as the distance that it moves both, m
     Eigen::Vector3f drag = Eigen::Vector3f::Zero();  // the same of friction
     ContactForces forces;                            // of the last small step
 
@@ -66,11 +67,12 @@ class ContactStep {
     void separate(ClothContact& contact) const;
     void begin(ClothContact& contact) const;
     void goOn(ClothContact& contact) const;
-    void solve(ClothContact& contact) const;
+    // @return by how much it has moved both sides, as a fraction of the distance
+    float solve(ClothContact& contact) const;
     void finish(ClothContact& contact) const;
 
   private:
-    float square_;  // of the length, s2
+    float square_;   // of the length, s2
     float closing_;  // fraction of an overlap that a step resolves
     float fastest_;  // and its limit, as a fraction of the distance
 };

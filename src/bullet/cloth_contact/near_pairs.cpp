@@ -78,7 +78,8 @@ void NearPairs::within(int branch) {
 
 bool NearPairs::areApart(const Box& box, const Box& other) const {
     const Eigen::Array3f shift = offset_.array();
-    return (box.low > other.high + shift + near_.ofFaces || box.high + near_.ofFaces < other.low + shift).any();
+    return (box.low > other.high + shift + near_.ofFaces || box.high + near_.ofFaces < other.low + shift)
+        .any();
 }
 
 void NearPairs::between(int branch, int other) {
@@ -136,7 +137,8 @@ void NearPairs::nodesNearFaces(const SurfaceTree& ofNodes, const SurfaceTree::Le
     if (nodes.firstNode == nodes.endNode) return;
     const bool isOneCloth = &ofNodes == &ofFaces;
     Extent around(at(ofNodes.positions(), at(ofNodes.nodes(), nodes.firstNode)));
-    for (int i = nodes.firstNode; i < nodes.endNode; ++i) around.take(at(ofNodes.positions(), at(ofNodes.nodes(), i)));
+    for (int i = nodes.firstNode; i < nodes.endNode; ++i)
+        around.take(at(ofNodes.positions(), at(ofNodes.nodes(), i)));
     around.low -= near_.ofFaces;
     around.high += near_.ofFaces;
     for (int f = faces.firstFace; f < faces.endFace; ++f) {
@@ -156,9 +158,8 @@ void NearPairs::nodesNearFaces(const SurfaceTree& ofNodes, const SurfaceTree::Le
             const Eigen::Vector3f& position = at(ofNodes.positions(), node);
             if ((position.array() < extent.low || position.array() > extent.high).any()) continue;
             if (std::abs(normal.dot(position - a)) > near_.ofFaces) continue;
-            if (isOneCloth && std::any_of(face.nodes.begin(), face.nodes.end(), [&](int corner) {
-                    return ofNodes.areClose(node, corner);
-                }))
+            if (isOneCloth && std::any_of(face.nodes.begin(), face.nodes.end(),
+                                          [&](int corner) { return ofNodes.areClose(node, corner); }))
                 continue;
             const NearestOnFace nearest = nearestOnFace(position, a, b, c);
             const float distance = nearest.apart.norm();
@@ -173,7 +174,8 @@ void NearPairs::edgesNearEdges(const SurfaceTree::Leaf& edges, const SurfaceTree
     for (int e = edges.firstEdge; e < edges.endEdge; ++e) {
         const SurfaceTree::Edge& edge = at(cloth_->edges(), e);
         const std::array<int, 2>& ends = edge.nodes;
-        const Eigen::Vector3f &from = at(cloth_->positions(), ends[0]), &to = at(cloth_->positions(), ends[1]);
+        const Eigen::Vector3f &from = at(cloth_->positions(), ends[0]),
+                              &to = at(cloth_->positions(), ends[1]);
         Extent extent(from);
         extent.take(to);
         extent.low -= near_.ofEdges;

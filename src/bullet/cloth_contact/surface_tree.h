@@ -17,7 +17,8 @@ namespace drench {
 class SurfaceTree {
   public:
     struct Face {
-        std::array<int, 3> nodes;  // neighbours in the same sense, so that their normals point to the same side
+        std::array<int, 3>
+            nodes;  // neighbours in the same sense, so that their normals point to the same side
         int index;  // in the body
     };
     struct Edge {
@@ -87,8 +88,8 @@ class SurfaceTree {
     std::vector<int> nodes_;
     std::vector<Branch> branches_;  // each before its children
     std::vector<Leaf> leaves_;
-    CompressedRows<int> adjacent_;    // leaves
-    CompressedRows<int> close_;       // nodes, in ascending order
+    CompressedRows<int> adjacent_;  // leaves
+    CompressedRows<int> close_;     // nodes, in ascending order
     std::vector<Eigen::Vector3f> positions_;
     std::vector<Eigen::Vector3f> normals_;  // of the faces, of unit length
     std::vector<Box> boxes_;                // of the branches

@@ -18,12 +18,13 @@ class BulletPass;
 class ContactMemory {
   public:
     struct Contact {
-        int node;                  // of the first edge, for edges
-        int otherEnd;              // of that edge; -1 for a node and a face
-        const btSoftBody* other;   // by address only
+        int node;                    // of the first edge, for edges
+        int otherEnd;                // of that edge; -1 for a node and a face
+        const btSoftBody* other;     // by address only
         std::array<int, 3> corners;  // of the face; for an edge its ends, and -1
         Eigen::Vector3f normal;
-        float side;  // of the face on which the node is, 1 or -1; 0 at the border of the cloth, where there are none
+        float
+            side;  // of the face on which the node is, 1 or -1; 0 at the border of the cloth, where there are none
         ContactForces forces;
     };
 

@@ -47,7 +47,7 @@ class GuestCloth {
     btVector3 origin_ = btVector3(0, 0, 0);
     std::vector<MovingNode> start_, own_, moved_;
     std::vector<MovingNode> before_;  // moved_ at the start of the current small step
-    std::vector<char> isCarried_;             // false: their solids are Bullet's
+    std::vector<char> isCarried_;     // false: their solids are Bullet's
     float fraction_ = 0;
     bool isFirstStep_ = true;
 };

@@ -133,7 +133,7 @@ class SmallStepSheet {
     std::vector<std::array<int, 3>> triangles_;
 
     std::vector<MovingNode> moved_;
-    std::vector<MovingNode> predicted_;       // moved_ before corrections
+    std::vector<MovingNode> predicted_;  // moved_ before corrections
     std::vector<char> isCarried_;
     std::vector<MovingNode> steps_;           // displacement per small step, m
     std::vector<MovingNode> push_;            // m per small step

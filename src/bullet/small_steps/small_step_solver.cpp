@@ -12,9 +12,10 @@
 #include "bullet/contact/solids.h"
 #include "bullet/sheet/face_tree.h"
 #include "bullet/sheet/sheet_mechanics.h"
-#include "bullet/small_steps/surface_contacts.h"
+#include "bullet/simd/denormals.h"
 #include "bullet/small_steps/mesh_pairs.h"
 #include "bullet/small_steps/moving_sheet.h"
+#include "bullet/small_steps/surface_contacts.h"
 #include "bullet/world/body_watch.h"
 #include "bullet/world/stop_watch.h"
 #include "checks/checks.h"
@@ -23,7 +24,7 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 // A solid that moves in this substep.
-struct Mover {
+struct MovingSolid {
     Bounds reported;  // around the pose at which Bullet's collision detection finds it
     Bounds swept;     // around its whole path
 };
@@ -78,9 +79,10 @@ Bounds boundsAt(const btCollisionObject& object, const btTransform& pose) {
 }
 
 // Finds the solids that Bullet is about to move.
-class MoversSearch final : public btBroadphaseAabbCallback {
+class MovingSolidSearch final : public btBroadphaseAabbCallback {
   public:
-    MoversSearch(std::vector<Mover>& movers, btScalar substep) : movers_(movers), substep_(substep) {}
+    MovingSolidSearch(std::vector<MovingSolid>& movers, btScalar substep)
+        : movers_(movers), substep_(substep) {}
 
     bool process(const btBroadphaseProxy* proxy) override {
         const auto& object = *static_cast<const btCollisionObject*>(proxy->m_clientObject);
@@ -96,23 +98,23 @@ class MoversSearch final : public btBroadphaseAabbCallback {
     }
 
   private:
-    std::vector<Mover>& movers_;
+    std::vector<MovingSolid>& movers_;
     btScalar substep_;
 };
 
 // Widens the bounds of a sheet so that Bullet reports a solid that comes to it. Bullet knows only the present
 // position, and would report it only once it is inside.
-void widen(Bounds& bounds, const Mover& mover) {
+void widen(Bounds& bounds, const MovingSolid& mover) {
     if (!mover.swept.meets(bounds)) return;
     bounds.low.setMin(mover.reported.high);
     bounds.high.setMax(mover.reported.low);
 }
 
 // Broadphase bounds around the present and possible positions of the nodes.
-void writeBounds(btSoftBody& body, const SheetMechanics& mechanics, const std::vector<Mover>& movers) {
+void writeBounds(btSoftBody& body, const SheetMechanics& mechanics, const std::vector<MovingSolid>& movers) {
     Bounds all = mechanics.moving->cloth.allBounds();
     all.grow(2 * body.getCollisionShape()->getMargin());
-    for (const Mover& mover : movers) widen(all, mover);
+    for (const MovingSolid& mover : movers) widen(all, mover);
     mechanics.near.forEachMoving([&](const btCollisionObject& object, const SolidPath& path) {
         Bounds swept = boundsAt(object, path.start);
         const Bounds end = boundsAt(object, path.end);
@@ -169,7 +171,7 @@ struct SmallStepSolver::State {
     void share(double StepTimes::*stage, double seconds);
 
     const SmallStepSettings settings;
-    std::vector<Mover> movers;
+    std::vector<MovingSolid> movers;
     MeshPairs meshPairs{isMovedHere};
     Solids solids;
     SurfaceContacts surfaceContacts;
@@ -216,7 +218,7 @@ void SmallStepSolver::predictMotion(btScalar substep) {
 void SmallStepSolver::State::findMovers(btSoftBody& body, btScalar substep) {
     movers.clear();
     constexpr auto everywhere = btScalar(1e18);
-    MoversSearch search(movers, substep);
+    MovingSolidSearch search(movers, substep);
     body.m_worldInfo->m_broadphase->aabbTest({-everywhere, -everywhere, -everywhere},
                                              {everywhere, everywhere, everywhere}, search);
 }
@@ -261,7 +263,8 @@ void SmallStepSolver::processCollision(btSoftBody* body, btSoftBody* other) {
     if (!mechanics && !others) return btDefaultSoftBodySolver::processCollision(body, other);
     using Collision = btSoftBody::fCollision;
     const bool areSheets = mechanics && others && mechanics->meetsSheets && others->meetsSheets;
-    const bool areAllowed = areSheets || (body->m_cfg.collisions & other->m_cfg.collisions & Collision::VF_SS) != 0;
+    const bool areAllowed =
+        areSheets || (body->m_cfg.collisions & other->m_cfg.collisions & Collision::VF_SS) != 0;
     if (body == other || !areAllowed) return;
     if (!areNear(*body, *other)) return;
     state_->surfaceContacts.meet(*body, *other);
@@ -280,11 +283,11 @@ void SmallStepSolver::solveConstraints(btScalar substep) {
             body.solveConstraints();
     }
     // The application's callbacks may have removed some since Bullet reported them.
-    state_->surfaceContacts.forgetUnless([this](btSoftBody* body) {
-        return m_softBodySet.findLinearSearch(body) < m_softBodySet.size();
-    });
+    state_->surfaceContacts.forgetUnless(
+        [this](btSoftBody* body) { return m_softBodySet.findLinearSearch(body) < m_softBodySet.size(); });
     state_->steps = state_->sheets.empty() ? 0 : state_->chooseSteps();
     if (state_->steps == 0) return;
+    const DenormalsAsZero here;
     state_->begin(substep);
     for (int step = 0; step < state_->steps; ++step) state_->smallStep(double(substep) / state_->steps);
     state_->finish(substep);
@@ -323,9 +326,10 @@ void SmallStepSolver::State::begin(btScalar substep) {
     meetingSheets.clear();
     for (const Solving& each : sheets) {
         each.sheet->cloth.divide(*each.mechanics, steps);
-        meetingSheets.push_back({each.body, &each.sheet->cloth, &each.mechanics->sheetFriction,
-                               &each.sheet->treeFor(each.body->getCollisionShape()->getMargin(), *each.mechanics),
-                                 &each.sheet->memory, each.mechanics->meetsItself});
+        meetingSheets.push_back(
+            {each.body, &each.sheet->cloth, &each.mechanics->sheetFriction,
+             &each.sheet->treeFor(each.body->getCollisionShape()->getMargin(), *each.mechanics),
+             &each.sheet->memory, each.mechanics->meetsItself});
     }
     share(&StepTimes::solver, watch.lap());
     for (const Solving& each : sheets) beginSheet(each);
@@ -373,10 +377,12 @@ void SmallStepSolver::State::meetCloth() {
             if (surfaceContacts.touches(i)) sheets[i].sheet->contacts.carry(sheets[i].sheet->cloth, solids);
     };
     surfaceContacts.goOn();
-    static const int sweeps = getenv("SW") ? atoi(getenv("SW")) : 2;
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
+    // Two do at rest, where forces go on; an impact on many layers needs more.
+    constexpr int fewest = 2, most = 8;
+    constexpr float settled = 0.05f;
+    for (int sweep = 0; sweep < most; ++sweep) {
         carry();
-        surfaceContacts.solve();
+        if (surfaceContacts.solve(sweep % 2 == 0) < settled && sweep + 1 >= fewest) break;
     }
     share(&StepTimes::contacts, watch.lap());
 }

@@ -88,10 +88,9 @@ void ContactMemory::state(BulletPass& pass) {
                 *node = pass.value(*node, -1, farthest);
             contact.other = static_cast<const btSoftBody*>(
                 pass.object(pass.saves() ? contact.other : nullptr, BulletPass::Which::soft));
-            for (float* const part :
-                 {&contact.normal.x(), &contact.normal.y(), &contact.normal.z(), &contact.side,
-                  &contact.forces.push, &contact.forces.drag.x(), &contact.forces.drag.y(),
-                  &contact.forces.drag.z()})
+            for (float* const part : {&contact.normal.x(), &contact.normal.y(), &contact.normal.z(),
+                                      &contact.side, &contact.forces.push, &contact.forces.drag.x(),
+                                      &contact.forces.drag.y(), &contact.forces.drag.z()})
                 *part = pass.value(*part, -1e9, 1e9);
         },
         1u << 24);

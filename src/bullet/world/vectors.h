@@ -19,6 +19,14 @@ inline btVector3 toBullet(const Eigen::Vector3d& v) {
     return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
 }
 
+inline Eigen::Vector3f toFloat(const btVector3& v) {
+    return {float(v.x()), float(v.y()), float(v.z())};
+}
+
+inline btVector3 fromFloat(const Eigen::Vector3f& v) {
+    return {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())};
+}
+
 // Of a packed node of any type.
 template <typename Node>
 btVector3 vectorOf(const Node& node) {

@@ -120,17 +120,18 @@ TEST_P(ClothHeap, ComesToRestWithoutCrossing) {
             EXPECT_EQ(crossings(*sheets[a], *sheets[b]), 0) << a << " and " << b;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Cases, ClothHeap,
-    testing::Values(Case{"two", 2, 9, 0, 0, false}, Case{"three", 3, 17, 0, 0, false},
-                    Case{"fine", 2, 25, 0, 0, false}, Case{"mixed", 3, 17, 30, 0, true},
-                    Case{"seven", 7, 17, 0, 0, false}, Case{"sevenMixed", 7, 9, 0, 0, true},
-                    Case{"turnedBy45", 2, 17, 45, 0, false}, Case{"halfOverAnEdge", 3, 17, 0, 0.08, false},
-                    Case{"onABall", 2, 17, 0, 0, false, Base::ball},
-                    Case{"wet", 3, 9, 0, 0, false, Base::ground, 0.6},
-                    Case{"longSteps", 3, 9, 0, 0, false, Base::ground, 0, 30},
-                    Case{"shortSteps", 3, 9, 0, 0, false, Base::ground, 0, 240}),
-    [](const testing::TestParamInfo<Case>& of) { return std::string(of.param.name); });
+INSTANTIATE_TEST_SUITE_P(Cases, ClothHeap,
+                         testing::Values(Case{"two", 2, 9, 0, 0, false}, Case{"three", 3, 17, 0, 0, false},
+                                         Case{"fine", 2, 25, 0, 0, false}, Case{"mixed", 3, 17, 30, 0, true},
+                                         Case{"seven", 7, 17, 0, 0, false},
+                                         Case{"sevenMixed", 7, 9, 0, 0, true},
+                                         Case{"turnedBy45", 2, 17, 45, 0, false},
+                                         Case{"halfOverAnEdge", 3, 17, 0, 0.08, false},
+                                         Case{"onABall", 2, 17, 0, 0, false, Base::ball},
+                                         Case{"wet", 3, 9, 0, 0, false, Base::ground, 0.6},
+                                         Case{"longSteps", 3, 9, 0, 0, false, Base::ground, 0, 30},
+                                         Case{"shortSteps", 3, 9, 0, 0, false, Base::ground, 0, 240}),
+                         [](const testing::TestParamInfo<Case>& of) { return std::string(of.param.name); });
 
 // A sheet whose half is folded over the other, a few margins above it.
 std::unique_ptr<btSoftBody> foldedSheet(btSoftBodyWorldInfo& info, double side, int nodes) {
@@ -195,7 +196,8 @@ TEST(ClothFold, PassesThroughItselfOnlyIfSaidSo) {
     rig.cover(sheet, fabrics::cottonPlain(), settings);
     rig.run(2);
     double highest = 0;
-    for (int n = 0; n < sheet.m_nodes.size(); ++n) highest = std::max(highest, double(sheet.m_nodes[n].m_x.y()));
+    for (int n = 0; n < sheet.m_nodes.size(); ++n)
+        highest = std::max(highest, double(sheet.m_nodes[n].m_x.y()));
     EXPECT_LT(highest, 1.5 * double(sheet.getCollisionShape()->getMargin()));
 }
 

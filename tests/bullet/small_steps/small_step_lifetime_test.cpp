@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "bullet/world/worlds.h"
@@ -133,6 +134,16 @@ Dried dryAtOnce(int nodes, int count) {
     result.after = test::lowest(sheet);
     result.finite = test::isFinite(sheet);
     return result;
+}
+
+TEST(SmallStepLifetime, TheApplicationsDenormalNumbersAreAsBefore) {
+    test::SmallStepWorld rig;
+    rig.cover(rig.add(test::levelSheet(rig.info(), fabrics::cottonPlain(), 0.3, 9, 0)),
+              fabrics::cottonPlain());
+    rig.run(0.1);
+    volatile float denormal = std::numeric_limits<float>::min();
+    denormal = denormal / 2;
+    EXPECT_GT(denormal, 0);
 }
 
 TEST(SmallStepLifetime, DryingAtOnceDoesNotBlowUp) {
