@@ -143,7 +143,8 @@ void ContactStep::goOn(ClothContact& contact) const {
     const bool touches = contact.adheres || contact.gapBefore < near * contact.distance;
     if (!contact.isActive || !(contact.response > 0) || !touches) return;
     const float perForce = square_ * contact.response;
-    contact.push = contact.forces.push * perForce;
+    contact.push =
+        contact.adheres ? contact.forces.push * perForce : std::max(contact.forces.push, 0.0f) * perForce;
     contact.drag = contact.forces.drag * perForce;
     if (contact.push == 0 && contact.drag.isZero(0)) return;
     moveApart(contact, contact.normal * contact.push + contact.drag);
@@ -179,9 +180,10 @@ void ContactStep::finish(ClothContact& contact) const {
     const Eigen::Vector3f apart = contact.apart();
     const float perForce = square_ * contact.response;
     // A load goes on, an impact does not: what would hold the nodes at this acceleration may be added in a step.
-    constexpr float growth = 1.5f, added = 20;  // m/s2 (assumed)
+    constexpr float growth = 1.5f, added = 60;  // m/s2 (assumed)
     const float push = contact.push / perForce;
-    const float goesOn = std::min(push, growth * contact.forces.push + added / contact.response);
+    const float most = growth * std::max(contact.forces.push, 0.0f) + added / contact.response;
+    const float goesOn = std::min(push, most);
     contact.forces.drag = contact.drag * ((push > 0 ? goesOn / push : 1.0f) / perForce);
     contact.forces.push = goesOn;
     constexpr float near = 0.1f;
