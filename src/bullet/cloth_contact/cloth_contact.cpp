@@ -127,7 +127,8 @@ ContactStep::ContactStep(float length) : square_(length * length) {
 void ContactStep::separate(ClothContact& contact) const {
     if (!contact.isActive) return;
     const float overlap = -contact.gapAt(contact.apart());
-    if (!(overlap > 0 && overlap < std::numeric_limits<float>::max())) return;
+    // What is through is only kept from going deeper: in a tangle, pulling it back would stretch the cloth for ever.
+    if (!(overlap > 0 && overlap < contact.distance)) return;
     placeApart(contact, contact.normal * std::min(overlap * closing_, fastest_ * contact.distance));
 }
 

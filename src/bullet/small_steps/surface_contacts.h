@@ -25,8 +25,8 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 // edges where the cloth is folded or ends. It keeps the sum of both margins; edges half of that, so that level layers
 // are carried by their nodes.
 //
-// Nodes stay on the side of the cloth where they were found; contacts remember that side as long as both are near,
-// so a node that was forced through comes back.
+// Nodes stay on the side of the cloth where they were found; contacts remember that side as long as both are near. A
+// node that was forced through does not go deeper, but may come back.
 class SurfaceContacts {
   public:
     // A sheet that small steps move.
