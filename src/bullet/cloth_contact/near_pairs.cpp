@@ -13,6 +13,11 @@ const Value& at(const std::vector<Value>& values, int index) {
     return values[static_cast<std::size_t>(index)];
 }
 
+// Cloth whose normals are all within a right angle of some direction does not meet itself; a little less, to be sure.
+constexpr float oneSided = 0.15f;
+// Layers whose normals are all within 60 degrees of some direction count as level.
+constexpr float level = 0.5f;
+
 // A box that holds points.
 struct Extent {
     Eigen::Array3f low, high;
@@ -22,7 +27,13 @@ struct Extent {
         low = low.min(point.array());
         high = high.max(point.array());
     }
-    bool misses(const Extent& other) const { return (low > other.high || high < other.low).any(); }
+    void grow(float by) {
+        low -= by;
+        high += by;
+    }
+    bool misses(const Eigen::Vector3f& point) const {
+        return (point.array() < low || point.array() > high).any();
+    }
 };
 
 void sortByNode(std::vector<NearFace>& found) {
@@ -68,7 +79,7 @@ void NearPairs::finish() {
 }
 
 void NearPairs::within(int branch) {
-    if (SurfaceTree::pointToOneSide(at(cloth_->boxes(), branch))) return;
+    if (SurfaceTree::pointToOneSide(at(cloth_->boxes(), branch), oneSided)) return;
     const SurfaceTree::Branch& of = at(cloth_->branches(), branch);
     if (of.leaf >= 0) return;  // its faces are too close to each other to meet
     within(of.children[0]);
@@ -105,16 +116,17 @@ bool NearPairs::isSkipped(int branch, int other) const {
     return cloth_ == other_ &&
            cloth_->areAdjacent(at(cloth_->branches(), branch).leaf, at(cloth_->branches(), other).leaf) &&
            SurfaceTree::pointToOneSide(
-               SurfaceTree::together(at(cloth_->boxes(), branch), at(cloth_->boxes(), other)));
+               SurfaceTree::together(at(cloth_->boxes(), branch), at(cloth_->boxes(), other)), oneSided);
 }
 
 void NearPairs::betweenLeaves(int branch, int other) {
     const SurfaceTree::Leaf &one = at(cloth_->leaves(), at(cloth_->branches(), branch).leaf),
                             &two = at(other_->leaves(), at(other_->branches(), other).leaf);
-    nodesNearFaces(*cloth_, one, *other_, two, offset_, nodes_);
-    nodesNearFaces(*other_, two, *cloth_, one, -offset_, nodesOfOther_);
+    const Box &box = at(cloth_->boxes(), branch), &otherBox = at(other_->boxes(), other);
+    nodesNearFaces(*cloth_, one, *other_, two, otherBox, offset_, nodes_);
+    nodesNearFaces(*other_, two, *cloth_, one, box, -offset_, nodesOfOther_);
     const bool onlyBorders = areLevel(branch, other);
-    if (!onlyBorders || one.hasBorder || two.hasBorder) edgesNearEdges(one, two, onlyBorders);
+    if (!onlyBorders || one.hasBorder || two.hasBorder) edgesNearEdges(one, box, two, otherBox, onlyBorders);
 }
 
 // Level layers are kept apart by their nodes, except at the border of the cloth: an edge that comes nearer than the
@@ -128,19 +140,21 @@ bool NearPairs::areLevel(int branch, int other) const {
         turned.highNormal = -turned.lowNormal;
         turned.lowNormal = low;
     }
-    return SurfaceTree::pointToOneSide(SurfaceTree::together(box, turned));
+    return SurfaceTree::pointToOneSide(SurfaceTree::together(box, turned), level);
 }
 
 void NearPairs::nodesNearFaces(const SurfaceTree& ofNodes, const SurfaceTree::Leaf& nodes,
-                               const SurfaceTree& ofFaces, const SurfaceTree::Leaf& faces,
-                               const Eigen::Vector3f& offset, std::vector<NearFace>& found) const {
-    if (nodes.firstNode == nodes.endNode) return;
+                               const SurfaceTree& ofFaces, const SurfaceTree::Leaf& faces, const Box& ofLeaf,
+                               const Eigen::Vector3f& offset, std::vector<NearFace>& found) {
+    const Eigen::Array3f low = ofLeaf.low + offset.array() - near_.ofFaces,
+                         high = ofLeaf.high + offset.array() + near_.ofFaces;
+    candidates_.clear();
+    for (int i = nodes.firstNode; i < nodes.endNode; ++i) {
+        const Eigen::Array3f position = at(ofNodes.positions(), at(ofNodes.nodes(), i)).array();
+        if ((position >= low && position <= high).all()) candidates_.push_back(at(ofNodes.nodes(), i));
+    }
+    if (candidates_.empty()) return;
     const bool isOneCloth = &ofNodes == &ofFaces;
-    Extent around(at(ofNodes.positions(), at(ofNodes.nodes(), nodes.firstNode)));
-    for (int i = nodes.firstNode; i < nodes.endNode; ++i)
-        around.take(at(ofNodes.positions(), at(ofNodes.nodes(), i)));
-    around.low -= near_.ofFaces;
-    around.high += near_.ofFaces;
     for (int f = faces.firstFace; f < faces.endFace; ++f) {
         const SurfaceTree::Face& face = at(ofFaces.faces(), f);
         const Eigen::Vector3f a = at(ofFaces.positions(), face.nodes[0]) + offset,
@@ -149,15 +163,11 @@ void NearPairs::nodesNearFaces(const SurfaceTree& ofNodes, const SurfaceTree::Le
         Extent extent(a);
         extent.take(b);
         extent.take(c);
-        if (extent.misses(around)) continue;
-        extent.low -= near_.ofFaces;
-        extent.high += near_.ofFaces;
+        extent.grow(near_.ofFaces);
         const Eigen::Vector3f& normal = at(ofFaces.normals(), f);
-        for (int i = nodes.firstNode; i < nodes.endNode; ++i) {
-            const int node = at(ofNodes.nodes(), i);
+        for (const int node : candidates_) {
             const Eigen::Vector3f& position = at(ofNodes.positions(), node);
-            if ((position.array() < extent.low || position.array() > extent.high).any()) continue;
-            if (std::abs(normal.dot(position - a)) > near_.ofFaces) continue;
+            if (extent.misses(position) || std::abs(normal.dot(position - a)) > near_.ofFaces) continue;
             if (isOneCloth && std::any_of(face.nodes.begin(), face.nodes.end(),
                                           [&](int corner) { return ofNodes.areClose(node, corner); }))
                 continue;
@@ -168,37 +178,51 @@ void NearPairs::nodesNearFaces(const SurfaceTree& ofNodes, const SurfaceTree::Le
     }
 }
 
-void NearPairs::edgesNearEdges(const SurfaceTree::Leaf& edges, const SurfaceTree::Leaf& others,
-                               bool onlyBorders) {
-    const bool isOneCloth = cloth_ == other_;
-    for (int e = edges.firstEdge; e < edges.endEdge; ++e) {
-        const SurfaceTree::Edge& edge = at(cloth_->edges(), e);
-        const std::array<int, 2>& ends = edge.nodes;
-        const Eigen::Vector3f &from = at(cloth_->positions(), ends[0]),
-                              &to = at(cloth_->positions(), ends[1]);
-        Extent extent(from);
-        extent.take(to);
-        extent.low -= near_.ofEdges;
-        extent.high += near_.ofEdges;
-        for (int o = others.firstEdge; o < others.endEdge; ++o) {
-            const SurfaceTree::Edge& other = at(other_->edges(), o);
-            if (onlyBorders && !edge.isBorder() && !other.isBorder()) continue;
-            const std::array<int, 2>& otherEnds = other.nodes;
-            const Eigen::Vector3f otherFrom = at(other_->positions(), otherEnds[0]) + offset_,
-                                  otherTo = at(other_->positions(), otherEnds[1]) + offset_;
-            Extent otherExtent(otherFrom);
-            otherExtent.take(otherTo);
-            if (extent.misses(otherExtent)) continue;
-            if (isOneCloth && std::any_of(ends.begin(), ends.end(), [&](int node) {
-                    return cloth_->areClose(node, otherEnds[0]) || cloth_->areClose(node, otherEnds[1]);
-                }))
-                continue;
-            const std::optional<NearestOfEdges> nearest = nearestOfEdges(from, to, otherFrom, otherTo);
-            if (!nearest) continue;
-            const float distance = nearest->apart.norm();
-            if (distance <= near_.ofEdges) edges_.push_back({e, o, distance, *nearest});
+// Those of the edges of a leaf that are near a box, with their extents.
+void NearPairs::edgesNear(const SurfaceTree& cloth, const SurfaceTree::Leaf& leaf, const Box& box,
+                          const Eigen::Vector3f& offset, std::vector<NearEdge>& found) const {
+    found.clear();
+    const Eigen::Array3f low = box.low + offset.array() - near_.ofEdges,
+                         high = box.high + offset.array() + near_.ofEdges;
+    for (int e = leaf.firstEdge; e < leaf.endEdge; ++e) {
+        const std::array<int, 2>& ends = at(cloth.edges(), e).nodes;
+        const Eigen::Array3f from = at(cloth.positions(), ends[0]).array(),
+                             to = at(cloth.positions(), ends[1]).array();
+        const Eigen::Array3f least = from.min(to), most = from.max(to);
+        if ((least <= high && most >= low).all()) found.push_back({e, least, most});
+    }
+}
+
+void NearPairs::edgesNearEdges(const SurfaceTree::Leaf& edges, const Box& ofEdges,
+                               const SurfaceTree::Leaf& others, const Box& ofOthers, bool onlyBorders) {
+    edgesNear(*cloth_, edges, ofOthers, offset_, nearEdges_);
+    if (nearEdges_.empty()) return;
+    edgesNear(*other_, others, ofEdges, -offset_, nearOthers_);
+    for (const NearEdge& near : nearEdges_) {
+        const SurfaceTree::Edge& edge = at(cloth_->edges(), near.edge);
+        const Eigen::Array3f low = near.low - offset_.array() - near_.ofEdges,
+                             high = near.high - offset_.array() + near_.ofEdges;
+        for (const NearEdge& nearOther : nearOthers_) {
+            if ((nearOther.low > high || nearOther.high < low).any()) continue;
+            const SurfaceTree::Edge& other = at(other_->edges(), nearOther.edge);
+            if (!onlyBorders || edge.isBorder() || other.isBorder()) edgeNearEdge(near.edge, nearOther.edge);
         }
     }
+}
+
+void NearPairs::edgeNearEdge(int edge, int other) {
+    const std::array<int, 2>&ends = at(cloth_->edges(), edge).nodes,
+                          &otherEnds = at(other_->edges(), other).nodes;
+    const auto isClose = [&](int node) {
+        return cloth_->areClose(node, otherEnds[0]) || cloth_->areClose(node, otherEnds[1]);
+    };
+    if (cloth_ == other_ && (isClose(ends[0]) || isClose(ends[1]))) return;
+    const std::optional<NearestOfEdges> nearest = nearestOfEdges(
+        at(cloth_->positions(), ends[0]), at(cloth_->positions(), ends[1]),
+        at(other_->positions(), otherEnds[0]) + offset_, at(other_->positions(), otherEnds[1]) + offset_);
+    if (!nearest) return;
+    const float distance = nearest->apart.norm();
+    if (distance <= near_.ofEdges) edges_.push_back({edge, other, distance, *nearest});
 }
 
 }  // namespace drench

@@ -54,10 +54,19 @@ class NearPairs {
     bool areApart(const Box& box, const Box& other) const;
     bool isSkipped(int branch, int other) const;
     bool areLevel(int branch, int other) const;
+    // @param ofLeaf  the box of the faces, m
     void nodesNearFaces(const SurfaceTree& ofNodes, const SurfaceTree::Leaf& nodes,
-                        const SurfaceTree& ofFaces, const SurfaceTree::Leaf& faces,
-                        const Eigen::Vector3f& offset, std::vector<NearFace>& found) const;
-    void edgesNearEdges(const SurfaceTree::Leaf& edges, const SurfaceTree::Leaf& others, bool onlyBorders);
+                        const SurfaceTree& ofFaces, const SurfaceTree::Leaf& faces, const Box& ofLeaf,
+                        const Eigen::Vector3f& offset, std::vector<NearFace>& found);
+    struct NearEdge {
+        int edge;
+        Eigen::Array3f low, high;  // of its box, m
+    };
+    void edgesNear(const SurfaceTree& cloth, const SurfaceTree::Leaf& leaf, const Box& box,
+                   const Eigen::Vector3f& offset, std::vector<NearEdge>& found) const;
+    void edgesNearEdges(const SurfaceTree::Leaf& edges, const Box& ofEdges, const SurfaceTree::Leaf& others,
+                        const Box& ofOthers, bool onlyBorders);
+    void edgeNearEdge(int edge, int other);
 
     const SurfaceTree* cloth_ = nullptr;
     const SurfaceTree* other_ = nullptr;
@@ -65,6 +74,9 @@ class NearPairs {
     Distances near_ = {0, 0};
     std::vector<NearFace> nodes_, nodesOfOther_;
     std::vector<NearEdges> edges_;
+    // Of the present pair of leaves.
+    std::vector<int> candidates_;
+    std::vector<NearEdge> nearEdges_, nearOthers_;
 };
 
 }  // namespace drench

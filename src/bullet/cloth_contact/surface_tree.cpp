@@ -269,10 +269,9 @@ SurfaceTree::Box SurfaceTree::together(const Box& one, const Box& other) {
             one.highNormal.max(other.highNormal)};
 }
 
-bool SurfaceTree::pointToOneSide(const Box& box) {
+bool SurfaceTree::pointToOneSide(const Box& box, float cosine) {
     const Eigen::Array3f middle = box.lowNormal + box.highNormal;
     const float least = (box.lowNormal * middle).min(box.highNormal * middle).sum();
-    constexpr float cosine = 0.5f;
     return least > cosine * middle.matrix().norm();
 }
 

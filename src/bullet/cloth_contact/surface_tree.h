@@ -71,8 +71,8 @@ class SurfaceTree {
     // Whether two leaves have nodes that are close.
     bool areAdjacent(int leaf, int other) const;
 
-    // Whether all normals in a box are within 60 degrees of some direction.
-    static bool pointToOneSide(const Box& box);
+    // Whether all normals in a box are within an angle of some direction. @param cosine  of the angle
+    static bool pointToOneSide(const Box& box, float cosine);
     static Box together(const Box& one, const Box& other);
 
   private:
