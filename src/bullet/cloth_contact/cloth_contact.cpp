@@ -17,6 +17,10 @@ Eigen::Vector3f vector(const MovingNode& node) {
     return {node.x, node.y, node.z};
 }
 
+// A node moves at most so many times as far as its contact asks for. Where it is the only one that is free, at the far
+// end of a face, it would have to move by any multiple.
+constexpr float longestLever = 4;
+
 // Moves both sides apart, so that their momentum stays.
 void moveApart(ClothContact& contact, const Eigen::Vector3f& by) {
     for (int i = 0; i < 4; ++i) {
@@ -47,6 +51,7 @@ void placeApart(ClothContact& contact, const Eigen::Vector3f& by) {
         shares[i] = *contact.isCarried[i] ? 0 : weight * contact.moved[i]->inverseMass;
         response += shares[i] * weight;
     }
+    for (const float share : shares) response = std::max(response, std::abs(share) / longestLever);
     if (!(response > 0)) return;
     for (std::size_t i = 0; i < 4; ++i) place(contact, i, by * (shares[i] / response));
 }
@@ -112,9 +117,13 @@ Eigen::Vector3f ClothContact::apart() const {
 }
 
 void ClothContact::findResponse() {
-    response = 0;
-    for (int i = 0; i < 4; ++i)
-        response += weights[i] * weights[i] * moved[static_cast<std::size_t>(i)]->inverseMass;
+    float sum = 0, largest = 0;
+    for (int i = 0; i < 4; ++i) {
+        const float share = std::abs(weights[i]) * moved[static_cast<std::size_t>(i)]->inverseMass;
+        sum += share * std::abs(weights[i]);
+        largest = std::max(largest, share);
+    }
+    response = std::max(sum, largest / longestLever);
 }
 
 ContactStep::ContactStep(float length) : square_(length * length) {

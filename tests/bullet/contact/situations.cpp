@@ -404,7 +404,9 @@ Outcome play(const Situation& situation) {
     {
         // What hangs over an edge swings; without air, momentum is kept.
         if (isAtRest) sheet->m_cfg.kDP = 2;
-        WetCloth cloth(*rig.world, *sheet, fabrics::cottonPlain(), isAtRest ? SheetSettings() : withoutAir());
+        SheetSettings settings = isAtRest ? SheetSettings() : withoutAir();
+        settings.meetsItself = false;  // it is contacts with solids that are measured
+        WetCloth cloth(*rig.world, *sheet, fabrics::cottonPlain(), settings);
         if (situation.load == SolidLoad::spin) setVelocity(*sheet, {0, btScalar(-0.5), 0});
         const btVector3 before = solid.velocity() * btScalar(solidMass);
         const int frames = isAtRest ? 300 : isPassing ? 12 : speed > 0 ? 10 + int(60 / speed) : 60;
