@@ -17,6 +17,12 @@ Eigen::Vector3f vector(const MovingNode& node) {
     return {node.x, node.y, node.z};
 }
 
+void shift(MovingNode& node, const Eigen::Vector3f& by) {
+    node.x += by.x();
+    node.y += by.y();
+    node.z += by.z();
+}
+
 // A node moves at most so many times as far as its contact asks for. Where it is the only one that is free, at the far
 // end of a face, it would have to move by any multiple.
 constexpr float longestLever = 4;
@@ -25,25 +31,29 @@ constexpr float longestLever = 4;
 void moveApart(ClothContact& contact, const Eigen::Vector3f& by) {
     for (int i = 0; i < 4; ++i) {
         MovingNode& node = *contact.moved[static_cast<std::size_t>(i)];
-        const float share = contact.weights[i] * node.inverseMass / contact.response;
-        node.x += by.x() * share;
-        node.y += by.y() * share;
-        node.z += by.z() * share;
+        shift(node, by * (contact.weights[i] * node.inverseMass / contact.response));
+    }
+}
+
+// The same along the plane, for friction.
+void slide(ClothContact& contact, const Eigen::Vector3f& by) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        MovingNode& node = *contact.moved[i];
+        const Eigen::Vector3f share =
+            by * contact.slipWeights[static_cast<int>(i)] + contact.axis * contact.turning[i].dot(by);
+        shift(node, share * (node.inverseMass / contact.slipResponse));
     }
 }
 
 // Shifts a node without a change of velocity.
 void place(ClothContact& contact, std::size_t i, const Eigen::Vector3f& by) {
-    for (MovingNode* const node : {contact.moved[i], contact.reference[i]}) {
-        node->x += by.x();
-        node->y += by.y();
-        node->z += by.z();
-    }
+    shift(*contact.moved[i], by);
+    shift(*contact.reference[i], by);
 }
 
-// Moves both sides apart without a change of velocity. Nodes that a solid carries stay: it would push them back, and
-// that would become velocity.
-void placeApart(ClothContact& contact, const Eigen::Vector3f& by) {
+// How far each node moves where both sides are moved apart by one. Nodes that a solid carries stay: it would push them
+// back, and that would become velocity.
+std::array<float, 4> sharesOf(const ClothContact& contact) {
     std::array<float, 4> shares;
     float response = 0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -52,8 +62,14 @@ void placeApart(ClothContact& contact, const Eigen::Vector3f& by) {
         response += shares[i] * weight;
     }
     for (const float share : shares) response = std::max(response, std::abs(share) / longestLever);
-    if (!(response > 0)) return;
-    for (std::size_t i = 0; i < 4; ++i) place(contact, i, by * (shares[i] / response));
+    for (float& share : shares) share = response > 0 ? share / response : 0;
+    return shares;
+}
+
+// Moves both sides apart without a change of velocity.
+void placeApart(ClothContact& contact, const Eigen::Vector3f& by) {
+    const std::array<float, 4> shares = sharesOf(contact);
+    for (std::size_t i = 0; i < 4; ++i) place(contact, i, by * shares[i]);
 }
 
 Eigen::Vector3f alongPlane(const Eigen::Vector3f& of, const Eigen::Vector3f& normal) {
@@ -67,7 +83,7 @@ void renewPlane(ClothContact& contact, const Eigen::Vector4f& weights, const Eig
     if (!(distance > none * contact.distance && distance < std::numeric_limits<float>::max())) return;
     contact.normal = between / distance;
     contact.weights = weights;
-    contact.findResponse();
+    contact.findResponses();
     contact.renewedAt = contact.apart();
     contact.gap = distance - contact.distance;
 }
@@ -96,12 +112,26 @@ void renewEdges(ClothContact& contact, const Positions& at) {
     renewPlane(contact, {1 - along, along, alongOther - 1, -alongOther}, nearest->apart);
 }
 
+// The plane of a face turns with it. It goes on beyond the face, to where the next face begins.
+void followFace(ClothContact& contact) {
+    contact.findResponses();
+    constexpr float beyond = 0.5f;
+    if (contact.axis.isZero(0) || contact.slipWeights.tail<3>().maxCoeff() > beyond) return;
+    const float side = contact.axis.dot(contact.normal) < 0 ? -1.0f : 1.0f;
+    const float height = side * contact.axis.dot(contact.at(0) - contact.at(1));
+    contact.normal = contact.axis * side;
+    contact.weights = contact.slipWeights;
+    contact.findResponses();
+    contact.renewedAt = contact.apart();
+    contact.gap = height - contact.distance;
+}
+
 // The plane through a point on the border of the cloth has no end. A node far ahead of a border that slides along
 // would meet it, and stop the cloth. So the nearest points are found again when they have moved.
 void renew(ClothContact& contact) {
+    if (!contact.isOfEdges && !contact.isTilted) return followFace(contact);
     Positions at;
-    for (std::size_t i = 0; i < 4; ++i)
-        at[i] = vector(*contact.moved[i]) + (i > 0 ? contact.offsets[i - 1] : Eigen::Vector3f::Zero());
+    for (std::size_t i = 0; i < 4; ++i) at[i] = contact.at(i);
     if (contact.isOfEdges)
         renewEdges(contact, at);
     else
@@ -110,20 +140,82 @@ void renew(ClothContact& contact) {
 
 }  // namespace
 
-Eigen::Vector3f ClothContact::apart() const {
+Eigen::Vector3f ClothContact::between(const std::array<MovingNode*, 4>& nodes) const {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    for (int i = 0; i < 4; ++i) sum += vector(*moved[static_cast<std::size_t>(i)]) * weights[i];
+    for (int i = 0; i < 4; ++i) sum += vector(*nodes[static_cast<std::size_t>(i)]) * weights[i];
     return sum;
 }
 
-void ClothContact::findResponse() {
-    float sum = 0, largest = 0;
-    for (int i = 0; i < 4; ++i) {
-        const float share = std::abs(weights[i]) * moved[static_cast<std::size_t>(i)]->inverseMass;
-        sum += share * std::abs(weights[i]);
-        largest = std::max(largest, share);
+Eigen::Vector3f ClothContact::slid() const {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Eigen::Vector3f by = vector(*moved[i]);
+        sum += by * slipWeights[static_cast<int>(i)] + turning[i] * axis.dot(by);
+    }
+    return sum;
+}
+
+Eigen::Vector3f ClothContact::at(std::size_t corner) const {
+    return vector(*moved[corner]) + (corner > 0 ? offsets[corner - 1] : Eigen::Vector3f::Zero());
+}
+
+void ClothContact::findResponses() {
+    findSlipWeights();
+    float sum = 0, largest = 0, slipSum = 0, slipLargest = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const float inverseMass = moved[i]->inverseMass, weight = std::abs(weights[static_cast<int>(i)]);
+        sum += inverseMass * weight * weight;
+        largest = std::max(largest, inverseMass * weight);
+        const float slipWeight = slipWeights[static_cast<int>(i)];
+        const float square = slipWeight * slipWeight + turning[i].squaredNorm();
+        slipSum += inverseMass * square;
+        slipLargest = std::max(slipLargest, inverseMass * std::sqrt(square));
     }
     response = std::max(sum, largest / longestLever);
+    slipResponse = std::max(slipSum, slipLargest / longestLever);
+}
+
+void ClothContact::findSlipWeights() {
+    slipWeights = weights;
+    axis.setZero();
+    turning.fill(Eigen::Vector3f::Zero());
+    if (isOfEdges)
+        findTurningOfEdges();
+    else
+        findTurningOfFace();
+}
+
+// A face whose corners move along its normal n by u turns so that n changes by minus the sum of u and the gradients of
+// the barycentric coordinates.
+void ClothContact::findTurningOfFace() {
+    const Eigen::Vector3f node = at(0), a = at(1), b = at(2), c = at(3);
+    const Eigen::Vector3f across = (b - a).cross(c - a);
+    const float square = across.squaredNorm();
+    constexpr float thin = 1e-3f;  // of the square of its longest side; such a face turns by chance
+    const float longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    if (!(square > thin * thin * longest * longest)) return;
+    axis = across / std::sqrt(square);
+    const std::array<Eigen::Vector3f, 3> gradients = {
+        across.cross(c - b) / square, across.cross(a - c) / square, across.cross(b - a) / square};
+    const float height = axis.dot(node - a);
+    const float toA = 1 + gradients[0].dot(node - a), toB = gradients[1].dot(node - a);
+    slipWeights << 1, -toA, -toB, toA + toB - 1;
+    for (std::size_t i = 0; i < 3; ++i) turning[i + 1] = gradients[i] * height;
+}
+
+// The normal of both edges stays at right angles to each.
+void ClothContact::findTurningOfEdges() {
+    const Eigen::Vector3f edge = at(1) - at(0), other = at(3) - at(2);
+    const float square = edge.squaredNorm(), otherSquare = other.squaredNorm(), both = edge.dot(other);
+    const float across = square * otherSquare - both * both;
+    constexpr float parallel = 0.04f;  // sine of 12 degrees, squared; such edges turn by chance
+    if (!(across > parallel * square * otherSquare)) return;
+    axis = normal;
+    const float height = gapAt(apart()) + distance;
+    turning[1] = (edge * otherSquare - other * both) * (height / across);
+    turning[3] = (other * square - edge * both) * (height / across);
+    turning[0] = -turning[1];
+    turning[2] = -turning[3];
 }
 
 ContactStep::ContactStep(float length) : square_(length * length) {
@@ -134,15 +226,18 @@ ContactStep::ContactStep(float length) : square_(length * length) {
 }
 
 void ContactStep::separate(ClothContact& contact) const {
+    contact.placed = 0;
     if (!contact.isActive) return;
     const float overlap = -contact.gapAt(contact.apart());
     // What is through is only kept from going deeper: in a tangle, pulling it back would stretch the cloth for ever.
     if (!(overlap > 0 && overlap < contact.distance)) return;
-    placeApart(contact, contact.normal * std::min(overlap * closing_, fastest_ * contact.distance));
+    contact.placed = std::min(overlap * closing_, fastest_ * contact.distance);
+    placeApart(contact, contact.normal * contact.placed);
 }
 
 void ContactStep::begin(ClothContact& contact) const {
     contact.before = contact.apart();
+    contact.slidBefore = contact.slid();
     contact.gapBefore = contact.gapAt(contact.before);
     contact.push = 0;
     contact.drag.setZero();
@@ -155,9 +250,10 @@ void ContactStep::goOn(ClothContact& contact) const {
     const float perForce = square_ * contact.response;
     contact.push =
         contact.adheres ? contact.forces.push * perForce : std::max(contact.forces.push, 0.0f) * perForce;
-    contact.drag = contact.forces.drag * perForce;
+    contact.drag = contact.forces.drag * (square_ * contact.slipResponse);
     if (contact.push == 0 && contact.drag.isZero(0)) return;
-    moveApart(contact, contact.normal * contact.push + contact.drag);
+    moveApart(contact, contact.normal * contact.push);
+    if (!contact.drag.isZero(0)) slide(contact, contact.drag);
 }
 
 float ContactStep::solve(ClothContact& contact) const {
@@ -172,17 +268,36 @@ float ContactStep::solve(ClothContact& contact) const {
     const Eigen::Vector3f moved = apart - contact.before;
     const float opened = contact.normal.dot(moved);
     const float push = std::max(contact.push + target - opened, -pull);
-    // The part along the plane is not changed by the push.
-    const Eigen::Vector3f slip = alongPlane(moved, contact.normal);
-    Eigen::Vector3f drag = contact.drag - slip;
-    const float most = contact.friction * (push + pull), needed = drag.norm();
-    if (needed > most) drag *= needed > 0 ? std::max(most, 0.0f) / needed : 0.0f;
-    const Eigen::Vector3f by = contact.normal * (push - contact.push) + (drag - contact.drag);
-    moveApart(contact, by);
+    const float pushed = std::abs(push - contact.push);
+    moveApart(contact, contact.normal * (push - contact.push));
     contact.push = push;
-    contact.drag = drag;
     contact.touched = contact.touched || push > 0 || contact.adheres;
-    return by.lpNorm<Eigen::Infinity>() / contact.distance;
+    const Eigen::Vector3f slip = alongPlane(contact.slid() - contact.slidBefore, contact.normal);
+    Eigen::Vector3f drag = contact.drag - slip;
+    const float most = contact.friction * (push + pull) * (contact.slipResponse / contact.response);
+    const float needed = drag.norm();
+    if (needed > most) drag *= needed > 0 ? std::max(most, 0.0f) / needed : 0.0f;
+    const Eigen::Vector3f dragged = drag - contact.drag;
+    if (!dragged.isZero(0)) slide(contact, dragged);
+    contact.drag = drag;
+    return std::max(pushed, dragged.lpNorm<Eigen::Infinity>()) / contact.distance;
+}
+
+void ContactStep::beginSettling(ClothContact& contact) const {
+    contact.referenceBefore = contact.referenceApart();
+    contact.notSettled = contact.placed;
+}
+
+void ContactStep::settle(ClothContact& contact) const {
+    if (!(contact.notSettled > 0)) return;
+    const Eigen::Vector3f moved =
+        contact.apart() - contact.before - (contact.referenceApart() - contact.referenceBefore);
+    const float pulledBack = std::min(contact.notSettled, -contact.normal.dot(moved));
+    if (!(pulledBack > 0)) return;
+    contact.notSettled -= pulledBack;
+    const std::array<float, 4> shares = sharesOf(contact);
+    for (std::size_t i = 0; i < 4; ++i)
+        shift(*contact.reference[i], contact.normal * (-pulledBack * shares[i]));
 }
 
 void ContactStep::finish(ClothContact& contact) const {
@@ -194,12 +309,14 @@ void ContactStep::finish(ClothContact& contact) const {
     const float push = contact.push / perForce;
     const float most = growth * std::max(contact.forces.push, 0.0f) + added / contact.response;
     const float goesOn = std::min(push, most);
-    contact.forces.drag = contact.drag * ((push > 0 ? goesOn / push : 1.0f) / perForce);
+    const float perDrag = square_ * contact.slipResponse;
+    contact.forces.drag.setZero();  // nothing can slide where all are pins
+    if (perDrag > 0) contact.forces.drag = contact.drag * ((push > 0 ? goesOn / push : 1.0f) / perDrag);
     contact.forces.push = goesOn;
-    constexpr float near = 0.1f;
-    const float farthest = near * contact.distance;
-    const bool hasEnd = contact.isTilted || contact.isOfEdges;
-    if (hasEnd && (apart - contact.renewedAt).squaredNorm() > farthest * farthest) renew(contact);
+    // Where the line between both is not along the normal, a push turns the cloth.
+    constexpr float near = 0.1f, nearWherePushed = 0.01f;
+    const float farthest = (contact.push > 0 ? nearWherePushed : near) * contact.distance;
+    if ((apart - contact.renewedAt).squaredNorm() > farthest * farthest) renew(contact);
 }
 
 }  // namespace drench

@@ -13,28 +13,8 @@ const Value& at(const std::vector<Value>& values, int index) {
     return values[static_cast<std::size_t>(index)];
 }
 
-// Cloth whose normals are all within a right angle of some direction does not meet itself; a little less, to be sure.
-constexpr float oneSided = 0.15f;
 // Layers whose normals are all within 60 degrees of some direction count as level.
 constexpr float level = 0.5f;
-
-// A box that holds points.
-struct Extent {
-    Eigen::Array3f low, high;
-
-    explicit Extent(const Eigen::Vector3f& point) : low(point.array()), high(point.array()) {}
-    void take(const Eigen::Vector3f& point) {
-        low = low.min(point.array());
-        high = high.max(point.array());
-    }
-    void grow(float by) {
-        low -= by;
-        high += by;
-    }
-    bool misses(const Eigen::Vector3f& point) const {
-        return (point.array() < low || point.array() > high).any();
-    }
-};
 
 void sortByNode(std::vector<NearFace>& found) {
     std::sort(found.begin(), found.end(), [](const NearFace& a, const NearFace& b) {
@@ -65,9 +45,24 @@ void NearPairs::begin(const SurfaceTree& cloth, const SurfaceTree& other, const 
     other_ = &other;
     offset_ = offset;
     near_ = near;
+    ofCloth_.renew(cloth);
+    if (&cloth != &other) ofOther_.renew(other);
     nodes_.clear();
     nodesOfOther_.clear();
     edges_.clear();
+}
+
+void NearPairs::LeafCache::renew(const SurfaceTree& cloth) {
+    cloth_ = &cloth;
+    ++present_;
+    if (leaves_.size() < cloth.leaves().size()) leaves_.resize(cloth.leaves().size());
+}
+
+const LeafExtents& NearPairs::LeafCache::of(int leaf) {
+    Leaf& cached = leaves_[static_cast<std::size_t>(leaf)];
+    if (cached.madeFor != present_) cached.extents.make(*cloth_, at(cloth_->leaves(), leaf));
+    cached.madeFor = present_;
+    return cached.extents;
 }
 
 void NearPairs::finish() {
@@ -79,7 +74,7 @@ void NearPairs::finish() {
 }
 
 void NearPairs::within(int branch) {
-    if (SurfaceTree::pointToOneSide(at(cloth_->boxes(), branch), oneSided)) return;
+    if (cloth_->isOneSided(at(cloth_->boxes(), branch))) return;
     const SurfaceTree::Branch& of = at(cloth_->branches(), branch);
     if (of.leaf >= 0) return;  // its faces are too close to each other to meet
     within(of.children[0]);
@@ -111,22 +106,22 @@ void NearPairs::between(int branch, int other) {
             between(one.children[child], other);
 }
 
-// Neighbouring pieces of a cloth are as near by nature. They meet only if the cloth bends back there.
+// Neighbouring pieces of a cloth are as near by nature. They meet only if the cloth around them bends back.
 bool NearPairs::isSkipped(int branch, int other) const {
-    return cloth_ == other_ &&
-           cloth_->areAdjacent(at(cloth_->branches(), branch).leaf, at(cloth_->branches(), other).leaf) &&
-           SurfaceTree::pointToOneSide(
-               SurfaceTree::together(at(cloth_->boxes(), branch), at(cloth_->boxes(), other)), oneSided);
+    return cloth_ == other_ && cloth_->areOneSidedNeighbours(at(cloth_->branches(), branch).leaf,
+                                                             at(cloth_->branches(), other).leaf);
 }
 
 void NearPairs::betweenLeaves(int branch, int other) {
-    const SurfaceTree::Leaf &one = at(cloth_->leaves(), at(cloth_->branches(), branch).leaf),
-                            &two = at(other_->leaves(), at(other_->branches(), other).leaf);
-    const Box &box = at(cloth_->boxes(), branch), &otherBox = at(other_->boxes(), other);
-    nodesNearFaces(*cloth_, one, *other_, two, otherBox, offset_, nodes_);
-    nodesNearFaces(*other_, two, *cloth_, one, box, -offset_, nodesOfOther_);
+    const int leaf = at(cloth_->branches(), branch).leaf, otherLeaf = at(other_->branches(), other).leaf;
+    const Side one = {cloth_, &at(cloth_->leaves(), leaf), &at(cloth_->boxes(), branch), &ofCloth_.of(leaf)};
+    LeafCache& others = cloth_ == other_ ? ofCloth_ : ofOther_;
+    const Side two = {other_, &at(other_->leaves(), otherLeaf), &at(other_->boxes(), other),
+                      &others.of(otherLeaf)};
+    nodesNearFaces(one, two, offset_, nodes_);
+    nodesNearFaces(two, one, -offset_, nodesOfOther_);
     const bool onlyBorders = areLevel(branch, other);
-    if (!onlyBorders || one.hasBorder || two.hasBorder) edgesNearEdges(one, box, two, otherBox, onlyBorders);
+    if (!onlyBorders || one.leaf->hasBorder || two.leaf->hasBorder) edgesNearEdges(one, two, onlyBorders);
 }
 
 // Level layers are kept apart by their nodes, except at the border of the cloth: an edge that comes nearer than the
@@ -143,71 +138,40 @@ bool NearPairs::areLevel(int branch, int other) const {
     return SurfaceTree::pointToOneSide(SurfaceTree::together(box, turned), level);
 }
 
-void NearPairs::nodesNearFaces(const SurfaceTree& ofNodes, const SurfaceTree::Leaf& nodes,
-                               const SurfaceTree& ofFaces, const SurfaceTree::Leaf& faces, const Box& ofLeaf,
-                               const Eigen::Vector3f& offset, std::vector<NearFace>& found) {
-    const Eigen::Array3f low = ofLeaf.low + offset.array() - near_.ofFaces,
-                         high = ofLeaf.high + offset.array() + near_.ofFaces;
-    candidates_.clear();
-    for (int i = nodes.firstNode; i < nodes.endNode; ++i) {
-        const Eigen::Array3f position = at(ofNodes.positions(), at(ofNodes.nodes(), i)).array();
-        if ((position >= low && position <= high).all()) candidates_.push_back(at(ofNodes.nodes(), i));
-    }
-    if (candidates_.empty()) return;
-    const bool isOneCloth = &ofNodes == &ofFaces;
-    for (int f = faces.firstFace; f < faces.endFace; ++f) {
-        const SurfaceTree::Face& face = at(ofFaces.faces(), f);
-        const Eigen::Vector3f a = at(ofFaces.positions(), face.nodes[0]) + offset,
-                              b = at(ofFaces.positions(), face.nodes[1]) + offset,
-                              c = at(ofFaces.positions(), face.nodes[2]) + offset;
-        Extent extent(a);
-        extent.take(b);
-        extent.take(c);
-        extent.grow(near_.ofFaces);
-        const Eigen::Vector3f& normal = at(ofFaces.normals(), f);
-        for (const int node : candidates_) {
-            const Eigen::Vector3f& position = at(ofNodes.positions(), node);
-            if (extent.misses(position) || std::abs(normal.dot(position - a)) > near_.ofFaces) continue;
-            if (isOneCloth && std::any_of(face.nodes.begin(), face.nodes.end(),
-                                          [&](int corner) { return ofNodes.areClose(node, corner); }))
-                continue;
-            const NearestOnFace nearest = nearestOnFace(position, a, b, c);
+// @param offset  of the faces, m
+void NearPairs::nodesNearFaces(const Side& ofNodes, const Side& ofFaces, const Eigen::Vector3f& offset,
+                               std::vector<NearFace>& found) const {
+    const float farthest = near_.ofFaces;
+    const Eigen::Array3f low = ofFaces.box->low - farthest, high = ofFaces.box->high + farthest;
+    const std::vector<Eigen::Vector3f>& positions = ofFaces.cloth->positions();
+    const bool isOneCloth = ofNodes.cloth == ofFaces.cloth;
+    for (int i = ofNodes.leaf->firstNode; i < ofNodes.leaf->endNode; ++i) {
+        const int node = at(ofNodes.cloth->nodes(), i);
+        const Eigen::Vector3f position = at(ofNodes.cloth->positions(), node) - offset;
+        if ((position.array() < low || position.array() > high).any()) continue;
+        ofFaces.extents->forFacesNear(position.array(), position.array(), farthest, [&](int f) {
+            const auto& [a, b, c] = at(ofFaces.cloth->faces(), f).nodes;
+            if (std::abs(at(ofFaces.cloth->normals(), f).dot(position - at(positions, a))) > farthest) return;
+            const auto isClose = [&](int corner) { return ofNodes.cloth->areClose(node, corner); };
+            if (isOneCloth && (isClose(a) || isClose(b) || isClose(c))) return;
+            const NearestOnFace nearest =
+                nearestOnFace(position, at(positions, a), at(positions, b), at(positions, c));
             const float distance = nearest.apart.norm();
-            if (distance <= near_.ofFaces) found.push_back({node, f, distance, nearest});
-        }
+            if (distance <= farthest) found.push_back({node, f, distance, nearest});
+        });
     }
 }
 
-// Those of the edges of a leaf that are near a box, with their extents.
-void NearPairs::edgesNear(const SurfaceTree& cloth, const SurfaceTree::Leaf& leaf, const Box& box,
-                          const Eigen::Vector3f& offset, std::vector<NearEdge>& found) const {
-    found.clear();
-    const Eigen::Array3f low = box.low + offset.array() - near_.ofEdges,
-                         high = box.high + offset.array() + near_.ofEdges;
-    for (int e = leaf.firstEdge; e < leaf.endEdge; ++e) {
-        const std::array<int, 2>& ends = at(cloth.edges(), e).nodes;
-        const Eigen::Array3f from = at(cloth.positions(), ends[0]).array(),
-                             to = at(cloth.positions(), ends[1]).array();
-        const Eigen::Array3f least = from.min(to), most = from.max(to);
-        if ((least <= high && most >= low).all()) found.push_back({e, least, most});
-    }
-}
-
-void NearPairs::edgesNearEdges(const SurfaceTree::Leaf& edges, const Box& ofEdges,
-                               const SurfaceTree::Leaf& others, const Box& ofOthers, bool onlyBorders) {
-    edgesNear(*cloth_, edges, ofOthers, offset_, nearEdges_);
-    if (nearEdges_.empty()) return;
-    edgesNear(*other_, others, ofEdges, -offset_, nearOthers_);
-    for (const NearEdge& near : nearEdges_) {
-        const SurfaceTree::Edge& edge = at(cloth_->edges(), near.edge);
-        const Eigen::Array3f low = near.low - offset_.array() - near_.ofEdges,
-                             high = near.high - offset_.array() + near_.ofEdges;
-        for (const NearEdge& nearOther : nearOthers_) {
-            if ((nearOther.low > high || nearOther.high < low).any()) continue;
-            const SurfaceTree::Edge& other = at(other_->edges(), nearOther.edge);
-            if (!onlyBorders || edge.isBorder() || other.isBorder()) edgeNearEdge(near.edge, nearOther.edge);
-        }
-    }
+void NearPairs::edgesNearEdges(const Side& one, const Side& two, bool onlyBorders) {
+    const Eigen::Array3f shift = offset_.array();
+    one.extents->forEdgesNear(two.box->low + shift, two.box->high + shift, near_.ofEdges, [&](int e) {
+        const SurfaceTree::Edge& edge = at(cloth_->edges(), e);
+        const Eigen::Array3f from = at(cloth_->positions(), edge.nodes[0]).array() - shift,
+                             to = at(cloth_->positions(), edge.nodes[1]).array() - shift;
+        two.extents->forEdgesNear(from.min(to), from.max(to), near_.ofEdges, [&](int o) {
+            if (!onlyBorders || edge.isBorder() || at(other_->edges(), o).isBorder()) edgeNearEdge(e, o);
+        });
+    });
 }
 
 void NearPairs::edgeNearEdge(int edge, int other) {

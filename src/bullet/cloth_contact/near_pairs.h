@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "bullet/cloth_contact/leaf_extents.h"
 #include "bullet/cloth_contact/near_points.h"
 #include "bullet/cloth_contact/surface_tree.h"
 
@@ -54,18 +55,16 @@ class NearPairs {
     bool areApart(const Box& box, const Box& other) const;
     bool isSkipped(int branch, int other) const;
     bool areLevel(int branch, int other) const;
-    // @param ofLeaf  the box of the faces, m
-    void nodesNearFaces(const SurfaceTree& ofNodes, const SurfaceTree::Leaf& nodes,
-                        const SurfaceTree& ofFaces, const SurfaceTree::Leaf& faces, const Box& ofLeaf,
-                        const Eigen::Vector3f& offset, std::vector<NearFace>& found);
-    struct NearEdge {
-        int edge;
-        Eigen::Array3f low, high;  // of its box, m
+    // A leaf of one of both.
+    struct Side {
+        const SurfaceTree* cloth;
+        const SurfaceTree::Leaf* leaf;
+        const Box* box;
+        const LeafExtents* extents;
     };
-    void edgesNear(const SurfaceTree& cloth, const SurfaceTree::Leaf& leaf, const Box& box,
-                   const Eigen::Vector3f& offset, std::vector<NearEdge>& found) const;
-    void edgesNearEdges(const SurfaceTree::Leaf& edges, const Box& ofEdges, const SurfaceTree::Leaf& others,
-                        const Box& ofOthers, bool onlyBorders);
+    void nodesNearFaces(const Side& ofNodes, const Side& ofFaces, const Eigen::Vector3f& offset,
+                        std::vector<NearFace>& found) const;
+    void edgesNearEdges(const Side& one, const Side& two, bool onlyBorders);
     void edgeNearEdge(int edge, int other);
 
     const SurfaceTree* cloth_ = nullptr;
@@ -74,9 +73,23 @@ class NearPairs {
     Distances near_ = {0, 0};
     std::vector<NearFace> nodes_, nodesOfOther_;
     std::vector<NearEdges> edges_;
-    // Of the present pair of leaves.
-    std::vector<int> candidates_;
-    std::vector<NearEdge> nearEdges_, nearOthers_;
+
+    // The extents of the leaves that were looked at in the present search.
+    class LeafCache {
+      public:
+        void renew(const SurfaceTree& cloth);
+        const LeafExtents& of(int leaf);
+
+      private:
+        struct Leaf {
+            long madeFor = 0;
+            LeafExtents extents;
+        };
+        const SurfaceTree* cloth_ = nullptr;
+        long present_ = 0;  // number of the search
+        std::vector<Leaf> leaves_;
+    };
+    LeafCache ofCloth_, ofOther_;
 };
 
 }  // namespace drench

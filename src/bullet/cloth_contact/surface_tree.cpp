@@ -16,6 +16,10 @@ namespace {
 
 constexpr std::size_t facesOfLeaf = 8;
 
+// How far apart nodes have to be along the cloth to be kept apart, as a multiple of the distance that contacts keep:
+// cloth that is bent less sharply than in a circle of that diameter does not touch itself.
+constexpr float waysNotNearer = 1.5f;
+
 Eigen::Vector3f centreOf(const SurfaceTree::Corners& corners) {
     return (corners[0] + corners[1] + corners[2]) / 3;
 }
@@ -52,10 +56,22 @@ CompressedRows<Way> waysAlongEdges(const std::vector<SurfaceTree::Face>& faces, 
             }};
 }
 
+// Rows of values in ascending order, each once.
+CompressedRows<int> sortedRows(std::vector<std::vector<int>>& rows) {
+    for (std::vector<int>& row : rows) {
+        std::sort(row.begin(), row.end());
+        row.erase(std::unique(row.begin(), row.end()), row.end());
+    }
+    return {rows.size(), [&](const auto& add) {
+                for (std::size_t r = 0; r < rows.size(); ++r)
+                    for (const int value : rows[r]) add(r, value);
+            }};
+}
+
 }  // namespace
 
 SurfaceTree::SurfaceTree(const std::vector<std::array<int, 3>>& triangles, std::size_t nodes,
-                         const std::vector<Corners>& corners, float notNearer)
+                         const std::vector<Corners>& corners, float distance)
     : positions_(nodes, Eigen::Vector3f::Zero()) {
     std::vector<Eigen::Vector3f> places;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -67,7 +83,7 @@ SurfaceTree::SurfaceTree(const std::vector<std::array<int, 3>>& triangles, std::
     boxes_.resize(branches_.size());
     orientFaces();
     giveNodesAndEdgesToLeaves();
-    findCloseNodes(corners, notNearer);
+    findCloseNodes(corners, distance);
     findAdjacentLeaves();
 }
 
@@ -77,7 +93,7 @@ int SurfaceTree::makeBranch(std::vector<Face>& faces, std::size_t first, std::si
     branches_.push_back({{-1, -1}, -1});
     if (end - first <= facesOfLeaf) {
         branches_.back().leaf = static_cast<int>(leaves_.size());
-        leaves_.push_back({static_cast<int>(first), static_cast<int>(end), 0, 0, 0, 0, false});
+        leaves_.push_back({static_cast<int>(first), static_cast<int>(end), 0, 0, 0, 0, false, branch});
         return branch;
     }
     const int axis = longestAxis(faces, first, end, places);
@@ -154,13 +170,15 @@ void SurfaceTree::giveNodesAndEdgesToLeaves() {
     }
 }
 
-// Shortest ways from each node (Dijkstra 1959), as far as `notNearer`.
-void SurfaceTree::findCloseNodes(const std::vector<Corners>& corners, float notNearer) {
+// Shortest ways from each node (Dijkstra 1959), as far as that.
+void SurfaceTree::findCloseNodes(const std::vector<Corners>& corners, float distance) {
     const std::size_t count = positions_.size();
+    const float notNearer = waysNotNearer * distance;
     const CompressedRows<Way> ways = waysAlongEdges(faces_, count, corners);
     std::vector<float> shortest(count, std::numeric_limits<float>::infinity());
     std::vector<std::vector<int>> close(count);
     std::vector<std::pair<float, int>> open;
+    float nearestOther = std::numeric_limits<float>::infinity();  // of two nodes that are not close
     for (std::size_t node = 0; node < count; ++node) {
         std::vector<int>& found = close[node];
         found.push_back(static_cast<int>(node));
@@ -174,22 +192,24 @@ void SurfaceTree::findCloseNodes(const std::vector<Corners>& corners, float notN
                 float& best = shortest[static_cast<std::size_t>(way.to)];
                 const float whole = length + way.length;
                 const bool isNeighbour = at == static_cast<int>(node);
-                if (!(whole < best) || !(isNeighbour || whole < notNearer)) continue;
+                if (!(whole < best)) continue;
+                if (!isNeighbour && whole >= notNearer) {
+                    nearestOther = std::min(nearestOther, whole);
+                    continue;
+                }
                 if (best == std::numeric_limits<float>::infinity()) found.push_back(way.to);
                 best = whole;
-                if (whole >= notNearer) continue;
                 open.emplace_back(whole, way.to);
                 std::push_heap(open.begin(), open.end(), std::greater<>());
             }
         }
         for (const int other : found)
             shortest[static_cast<std::size_t>(other)] = std::numeric_limits<float>::infinity();
-        std::sort(found.begin(), found.end());
     }
-    close_ = CompressedRows<int>(count, [&](const auto& add) {
-        for (std::size_t node = 0; node < count; ++node)
-            for (const int other : close[node]) add(node, other);
-    });
+    close_ = sortedRows(close);
+    // The way along edges may be longer than that along the cloth; and a little more, to be sure.
+    constexpr float detour = 1.41f, more = 1.2f, atLeast = 0.15f, level = 0.95f;
+    oneSided_ = std::clamp(more * distance * detour / nearestOther, atLeast, level);
 }
 
 void SurfaceTree::findAdjacentLeaves() {
@@ -208,14 +228,7 @@ void SurfaceTree::findAdjacentLeaves() {
                 const std::vector<int>& more = leavesOf[static_cast<std::size_t>(other)];
                 row.insert(row.end(), more.begin(), more.end());
             }
-    for (std::vector<int>& row : adjacent) {
-        std::sort(row.begin(), row.end());
-        row.erase(std::unique(row.begin(), row.end()), row.end());
-    }
-    adjacent_ = CompressedRows<int>(leaves_.size(), [&](const auto& add) {
-        for (std::size_t l = 0; l < adjacent.size(); ++l)
-            for (const int other : adjacent[l]) add(l, other);
-    });
+    adjacent_ = sortedRows(adjacent);
 }
 
 bool SurfaceTree::areClose(int node, int other) const {
@@ -223,9 +236,23 @@ bool SurfaceTree::areClose(int node, int other) const {
     return std::binary_search(row.begin(), row.end(), other);
 }
 
-bool SurfaceTree::areAdjacent(int leaf, int other) const {
-    const auto row = adjacent_[static_cast<std::size_t>(leaf)];
-    return std::binary_search(row.begin(), row.end(), other);
+bool SurfaceTree::areOneSidedNeighbours(int leaf, int other) const {
+    const auto boxOfLeaf = [this](int of) -> const Box& {
+        return boxes_[static_cast<std::size_t>(leaves_[static_cast<std::size_t>(of)].branch)];
+    };
+    const auto row = adjacent_[static_cast<std::size_t>(leaf)],
+               others = adjacent_[static_cast<std::size_t>(other)];
+    Box box = together(boxOfLeaf(leaf), boxOfLeaf(other));
+    bool areNeighbours = std::binary_search(row.begin(), row.end(), other);
+    if (!areNeighbours)
+        for (const int *one = row.begin(), *two = others.begin(); one != row.end() && two != others.end();) {
+            if (*one == *two) {
+                areNeighbours = true;
+                box = together(box, boxOfLeaf(*one));
+            }
+            (*one < *two ? one : two)++;
+        }
+    return areNeighbours && isOneSided(box);
 }
 
 void SurfaceTree::follow(const MovingNode* start, const MovingNode* moved) {

@@ -42,21 +42,22 @@ class SurfaceTree {
         int firstNode, endNode;  // in nodes()
         int firstEdge, endEdge;
         bool hasBorder;  // whether an edge of the leaf is at the border of the cloth
+        int branch;
     };
 
     // Material coordinates of the corners of a face, m; the third is 0 for a sheet.
     using Corners = std::array<Eigen::Vector3f, 3>;
 
     // @param triangles   node indices of each face of the body
-    // @param notNearer   see `areClose`, m
+    // @param distance    that contacts keep, m
     SurfaceTree(const std::vector<std::array<int, 3>>& triangles, std::size_t nodes,
-                const std::vector<Corners>& corners, float notNearer);
+                const std::vector<Corners>& corners, float distance);
 
     // Takes over the positions of the nodes: their start and their displacement, m.
     void follow(const MovingNode* start, const MovingNode* moved);
 
-    // Whether two nodes are neighbours, or have a way along edges that is shorter than `notNearer` at rest. They
-    // are as near by nature, and are not to be kept apart.
+    // Whether two nodes are neighbours, or have a way along edges that is hardly longer than the distance that contacts
+    // keep. They are as near by nature, and are not to be kept apart.
     bool areClose(int node, int other) const;
 
     std::size_t nodeCount() const { return positions_.size(); }
@@ -68,8 +69,13 @@ class SurfaceTree {
     const std::vector<Branch>& branches() const { return branches_; }
     const std::vector<Box>& boxes() const { return boxes_; }
     const std::vector<Leaf>& leaves() const { return leaves_; }
-    // Whether two leaves have nodes that are close.
-    bool areAdjacent(int leaf, int other) const;
+    // Whether two leaves are neighbours on cloth that does not bend back there: they have nodes that are close, or other
+    // leaves have nodes that are close to those of both; and all these are one-sided.
+    bool areOneSidedNeighbours(int leaf, int other) const;
+    // Whether the normals in a box are so near some direction that the cloth does not come as near to itself as contacts
+    // keep it. Cloth whose normals are within an angle of some direction, at two points that are so far apart along it,
+    // has them at least that times the cosine apart.
+    bool isOneSided(const Box& box) const { return pointToOneSide(box, oneSided_); }
 
     // Whether all normals in a box are within an angle of some direction. @param cosine  of the angle
     static bool pointToOneSide(const Box& box, float cosine);
@@ -80,16 +86,18 @@ class SurfaceTree {
                    const std::vector<Eigen::Vector3f>& places);
     void orientFaces();
     void giveNodesAndEdgesToLeaves();
-    void findCloseNodes(const std::vector<Corners>& corners, float notNearer);
+    void findCloseNodes(const std::vector<Corners>& corners, float distance);
     void findAdjacentLeaves();
     Box boxOf(const Leaf& leaf) const;
+
     std::vector<Face> faces_;
     std::vector<Edge> edges_;
     std::vector<int> nodes_;
     std::vector<Branch> branches_;  // each before its children
     std::vector<Leaf> leaves_;
-    CompressedRows<int> adjacent_;  // leaves
-    CompressedRows<int> close_;     // nodes, in ascending order
+    float oneSided_;                // cosine of that angle
+    CompressedRows<int> adjacent_;  // leaves that have nodes that are close, itself among them
+    CompressedRows<int> close_;     // nodes; both in ascending order
     std::vector<Eigen::Vector3f> positions_;
     std::vector<Eigen::Vector3f> normals_;  // of the faces, of unit length
     std::vector<Box> boxes_;                // of the branches

@@ -35,12 +35,21 @@ class ContactMemory {
     void sort();
     // The last contact of a node with a face, or else with one that shares a node with that; null for none.
     const Contact* ofFace(int node, const btSoftBody& other, const std::array<int, 3>& corners) const;
-    // The same for edges.
+    // Calls a function with each of the last contacts of a node with faces of another body.
+    template <typename Function>
+    void forFacesOf(int node, const btSoftBody& other, Function function) const {
+        for (auto each = firstOf(node); each != contacts_.end() && each->node == node; ++each)
+            if (each->other == &other && each->otherEnd < 0) function(*each);
+    }
+    static bool shareNode(const std::array<int, 3>& corners, const std::array<int, 3>& others);
+    // The last contact of two edges; null for none.
     const Contact* ofEdges(int node, int otherEnd, const btSoftBody& other, int from, int to) const;
 
     void state(BulletPass& pass);
 
   private:
+    std::vector<Contact>::const_iterator firstOf(int node) const;
+
     std::vector<Contact> contacts_;  // in the order of the nodes
 };
 

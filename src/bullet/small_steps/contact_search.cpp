@@ -50,17 +50,21 @@ void place(PairContact& contact, const MeetingCloth& first, const MeetingCloth& 
         contact.offsets[slot - 1] = positionOf(cloth.start[nodes[slot]]) - origin;
         if (i >= ofFirst) contact.offsets[slot - 1] += between;
     }
-    contact.findResponse();
+    contact.slipWeights = contact.weights;
     contact.renewedAt = contact.apart();
+    contact.findResponses();
 }
 
 }  // namespace
 
 void ContactSearch::find(ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other,
-                         const NearPairs::Distances& beyond) {
+                         const NearPairs::Distances& beyond, const ContactMemory& memory,
+                         const ContactMemory& memoryOfOther) {
     pair_ = &pair;
     one_ = &one;
     other_ = &other;
+    memory_ = &memory;
+    memoryOfOther_ = &memoryOfOther;
     const NearPairs::Distances near = {pair.distance + beyond.ofFaces,
                                        edgeShare * pair.distance + beyond.ofEdges};
     if (&one == &other)
@@ -107,7 +111,32 @@ void ContactSearch::choose(const std::vector<NearFace>& near, bool isOfOther) {
             const auto firstChosen = pair_->contacts.begin() + static_cast<std::ptrdiff_t>(chosen);
             if (std::none_of(firstChosen, pair_->contacts.end(), isAlike)) pair_->contacts.push_back(contact);
         }
+        passOnForces(near[first].node, isOfOther, chosen);
     }
+}
+
+// The force of a contact goes to one contact that takes its place: with the same face, or else with the nearest that is
+// adjacent. If each adjacent one had it, a node that comes over an edge would be thrown.
+// @param chosen  index of the first contact of the node
+void ContactSearch::passOnForces(int node, bool isOfOther, std::size_t chosen) {
+    const MeetingCloth& ofFace = *(isOfOther ? one_ : other_);
+    const auto cornersOf = [&](const PairContact& contact) -> const std::array<int, 3>& {
+        return ofFace.tree->faces()[static_cast<std::size_t>(contact.face)].nodes;
+    };
+    const auto end = pair_->contacts.end(),
+               first = end - static_cast<std::ptrdiff_t>(pair_->contacts.size() - chosen);
+    (isOfOther ? memoryOfOther_ : memory_)
+        ->forFacesOf(node, *ofFace.body, [&](const ContactMemory::Contact& last) {
+            auto heir = std::find_if(
+                first, end, [&](const PairContact& contact) { return cornersOf(contact) == last.corners; });
+            if (heir == end)
+                heir = std::find_if(first, end, [&](const PairContact& contact) {
+                    return ContactMemory::shareNode(cornersOf(contact), last.corners);
+                });
+            if (heir == end) return;
+            heir->forces.push += last.forces.push * std::max(heir->normal.dot(last.normal), 0.0f);
+            heir->forces.drag += last.forces.drag;
+        });
 }
 
 // @return whether the face has an area, and the numbers are finite
@@ -117,7 +146,8 @@ bool ContactSearch::makeContact(const NearFace& near, bool isOfOther, PairContac
     const Eigen::Vector3f& up = ofFace.tree->normals()[static_cast<std::size_t>(near.face)];
     constexpr float level = 0.99f, inPlane = 1e-5f, alike = 0.7f;
     if (!(up.squaredNorm() > level) || !(near.distance < std::numeric_limits<float>::max())) return false;
-    const ContactMemory::Contact* const last = ofNode.memory->ofFace(near.node, *ofFace.body, face.nodes);
+    const ContactMemory::Contact* const last =
+        (isOfOther ? memoryOfOther_ : memory_)->ofFace(near.node, *ofFace.body, face.nodes);
     const float side = last ? last->side : 0.0f;
     const bool isFirst = one_ == other_ ? near.node > face.nodes[0] : isOfOther;
     Eigen::Vector3f normal = side != 0 ? up * side : normalInPlane(up, isFirst);
@@ -144,7 +174,6 @@ bool ContactSearch::makeContact(const NearFace& near, bool isOfOther, PairContac
     contact.friction = pair_->friction;
     if (ofNode.sheetFriction)
         contact.friction *= float(ofNode.sheetFriction->frictionRatio(static_cast<std::size_t>(near.node)));
-    if (last) contact.forces = last->forces;
     return true;
 }
 
@@ -156,7 +185,7 @@ bool ContactSearch::makeContact(const NearEdges& near, PairContact& contact) con
     if (!(near.distance > inPlane * pair_->distance && near.distance < std::numeric_limits<float>::max()))
         return false;
     const ContactMemory::Contact* const last =
-        one.memory->ofEdges(ends[0], ends[1], *other.body, others[0], others[1]);
+        memory_->ofEdges(ends[0], ends[1], *other.body, others[0], others[1]);
     const bool isThrough = last && near.nearest.areInside && near.nearest.apart.dot(last->normal) < 0;
     contact = PairContact();
     contact.isOfEdges = true;

@@ -27,26 +27,31 @@ struct ClothPair {
     float distance;           // sum of both margins, m
     float friction;           // dry
     float slack;              // how far both may move apart before contacts are found again, m
-    float used;               // of it when they were found, m
-    Eigen::Vector3f between;  // mean displacement of one from that of the other then, m
+    float deviations;         // of both when they were found; see MeetingCloth, m
+    Eigen::Vector3f between;  // way of one from that of the other then, m
     std::vector<PairContact> contacts;
 };
 
 class ContactSearch {
   public:
     // Finds all contacts that are possible within a distance beyond that which the pair keeps.
-    // @param beyond  of faces and of edges, m
+    // @param beyond                of faces and of edges, m
+    // @param memory, memoryOfOther what contacts of one cloth and of the other have left
     void find(ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other,
-              const NearPairs::Distances& beyond);
+              const NearPairs::Distances& beyond, const ContactMemory& memory,
+              const ContactMemory& memoryOfOther);
 
   private:
     void choose(const std::vector<NearFace>& near, bool isOfOther);
+    void passOnForces(int node, bool isOfOther, std::size_t chosen);
     bool makeContact(const NearFace& near, bool isOfOther, PairContact& contact) const;
     bool makeContact(const NearEdges& near, PairContact& contact) const;
 
     ClothPair* pair_ = nullptr;
     const MeetingCloth* one_ = nullptr;
     const MeetingCloth* other_ = nullptr;
+    const ContactMemory* memory_ = nullptr;
+    const ContactMemory* memoryOfOther_ = nullptr;
     NearPairs near_;
 };
 

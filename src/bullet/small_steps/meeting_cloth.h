@@ -17,10 +17,12 @@ namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 struct MeetingCloth {
-    // Measures how its nodes have moved since contacts were found. Called after each small step.
+    // To be called at the start of a substep; the tree follows.
+    void startMotion();
+    // Measures how the nodes have moved. To be called after each small step.
     void measureMotion();
-    // From here on; its tree follows.
-    void restartMotion();
+    // Takes the tree to where the nodes are.
+    void followNodes();
 
     btSoftBody* body;
     Friction* sheetFriction;  // null for guests
@@ -38,13 +40,13 @@ struct MeetingCloth {
     std::size_t firstIndex;  // of its nodes among those of all cloths
     bool touches;            // whether it has had contacts in this substep
 
-    // Since contacts were found.
-    std::vector<MovingNode> movedAt;  // then
-    Eigen::Vector3f mean;             // displacement, m
-    Eigen::Vector3f meanStep;         // and in the last small step, m
-    float deviation;                  // of any node from the mean, m
-    float growth;                     // of that in the last small step, m
-    bool isDue;                       // whether they are to be found again
+    // Since the start of the substep.
+    Eigen::Vector3f way;                  // sum of the mean displacements of the small steps, m
+    Eigen::Vector3f meanStep;             // the last of them, m
+    float deviations;                     // sum of the largest differences of any node from them, m
+    float growth;                         // the last of them, m
+    std::vector<MovingNode> movedBefore;  // displacements at the end of the last small step
+    bool isFollowed;                      // whether the tree is where the nodes are
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

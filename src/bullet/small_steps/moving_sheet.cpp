@@ -5,10 +5,6 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
-// How far apart nodes have to be along the cloth to be kept apart, as a multiple of the distance that contacts keep:
-// cloth that is bent less sharply than in a circle of that diameter does not touch itself.
-constexpr double notNearer = 1.5;
-
 std::vector<SurfaceTree::Corners> materialCorners(const ClothMesh& mesh) {
     std::vector<SurfaceTree::Corners> all;
     for (const auto& triangle : mesh.coordinates) {
@@ -24,8 +20,7 @@ std::vector<SurfaceTree::Corners> materialCorners(const ClothMesh& mesh) {
 SurfaceTree& MovingSheet::treeFor(btScalar margin, const SheetMechanics& mechanics) {
     if (!tree_ || margin_ != margin)
         tree_ = std::make_unique<SurfaceTree>(mechanics.mesh.triangles, mechanics.mesh.size(),
-                                              materialCorners(mechanics.mesh),
-                                              float(notNearer * 2 * double(margin)));
+                                              materialCorners(mechanics.mesh), float(2 * margin));
     margin_ = margin;
     return *tree_;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "bullet/contact/contact_law.h"
 #include "bullet/sheet/face_projection.h"
@@ -18,6 +19,7 @@ void SurfaceContacts::begin(const std::vector<Sheet>& sheets, double substep, in
     smallStep_ = substep / steps;
     stepsLeft_ = steps;
     clothCount_ = pairCount_ = 0;
+    canAdhere_ = false;
     for (const Sheet& sheet : sheets) addSheet(sheet);
     for (std::size_t i = 0; i < sheets.size(); ++i)
         if (sheets[i].meetsItself) addPair(i, i);
@@ -37,10 +39,11 @@ void SurfaceContacts::begin(const std::vector<Sheet>& sheets, double substep, in
     for (std::size_t c = 0; c < clothCount_; ++c) {
         cloths_[c].firstIndex = nodes;
         nodes += cloths_[c].tree->nodeCount();
-        cloths_[c].restartMotion();
+        cloths_[c].startMotion();
     }
     nearest_.resize(nodes);
-    for (std::size_t p = 0; p < pairCount_; ++p) find(pairs_[p]);
+    for (std::size_t p = 0; p < pairCount_; ++p)
+        find(pairs_[p], *cloths_[pairs_[p].one].memory, *cloths_[pairs_[p].other].memory);
     updateAdhesion();
 }
 
@@ -68,6 +71,7 @@ void SurfaceContacts::addSheet(const Sheet& sheet) {
     cloth.isCarried = &sheet.cloth->isCarried(0);
     cloth.margin = float(sheet.body->getCollisionShape()->getMargin());
     cloth.slack = std::max(cloth.margin, float(sheet.cloth->meanLink() / 4));
+    canAdhere_ = canAdhere_ || adheres || sheet.sheetFriction->canAdhere();
     cloth.adhesiveReach = adheres ? float(sheet.sheetFriction->reach()) : 0.0f;
     cloth.growth = float(sheet.cloth->farthestPull() * ofSubstep);
     cloth.meanStep = toFloat(sheet.cloth->meanReach() * ofSubstep);
@@ -124,9 +128,9 @@ void SurfaceContacts::addPair(std::size_t one, std::size_t other) {
 // Whether nodes may be farther apart, after another small step like the last one, than was looked for.
 bool SurfaceContacts::isDue(const ClothPair& pair) const {
     const MeetingCloth &one = cloths_[pair.one], &other = cloths_[pair.other];
-    const float deviations = one.deviation + other.deviation + one.growth + other.growth;
-    const Eigen::Vector3f between = one.mean - other.mean - pair.between + one.meanStep - other.meanStep;
-    return !(pair.used + deviations + between.norm() < pair.slack);
+    const float deviations = one.deviations + other.deviations - pair.deviations + one.growth + other.growth;
+    const Eigen::Vector3f between = one.way - other.way - pair.between + one.meanStep - other.meanStep;
+    return !(deviations + between.norm() < pair.slack);
 }
 
 void SurfaceContacts::findWhatIsDue() {
@@ -134,31 +138,28 @@ void SurfaceContacts::findWhatIsDue() {
     bool areAny = false;
     for (std::size_t p = 0; p < pairCount_; ++p) {
         if (!isDue(pairs_[p])) continue;
-        cloths_[pairs_[p].one].isDue = cloths_[pairs_[p].other].isDue = areAny = true;
+        if (!std::exchange(areAny, true)) rememberBonds();
+        findAgain(pairs_[p]);
     }
-    if (!areAny) return;
-    remember();
-    const auto isOfDue = [&](const ClothPair& pair) {
-        return cloths_[pair.one].isDue || cloths_[pair.other].isDue;
-    };
-    dueAgain_.assign(pairCount_, 0);
-    for (std::size_t p = 0; p < pairCount_; ++p) dueAgain_[p] = isOfDue(pairs_[p]);
-    for (std::size_t c = 0; c < clothCount_; ++c)
-        if (cloths_[c].isDue) cloths_[c].restartMotion();
-    for (std::size_t p = 0; p < pairCount_; ++p) {
-        if (!dueAgain_[p]) continue;
-        ClothPair& pair = pairs_[p];
-        for (const std::size_t c : {pair.one, pair.other})
-            if (cloths_[c].deviation > 0) cloths_[c].tree->follow(cloths_[c].start, cloths_[c].moved);
-        find(pair);
-    }
-    updateAdhesion();
+    if (areAny) updateAdhesion();
 }
 
-void SurfaceContacts::find(ClothPair& pair) {
+void SurfaceContacts::findAgain(ClothPair& pair) {
+    memory_.clear();
+    memoryOfOther_.clear();
+    for (const PairContact& contact : pair.contacts)
+        remember(pair, contact, contact.isOfOther ? memoryOfOther_ : memory_);
+    memory_.sort();
+    memoryOfOther_.sort();
+    cloths_[pair.one].followNodes();
+    cloths_[pair.other].followNodes();
+    find(pair, memory_, memoryOfOther_);
+}
+
+void SurfaceContacts::find(ClothPair& pair, const ContactMemory& memory, const ContactMemory& memoryOfOther) {
     const MeetingCloth &one = cloths_[pair.one], &other = cloths_[pair.other];
-    pair.used = one.deviation + other.deviation;
-    pair.between = one.mean - other.mean;
+    pair.deviations = one.deviations + other.deviations;
+    pair.between = one.way - other.way;
     // For what is left of the substep if it goes on like this; more would have to be looked through at once than again.
     constexpr float more = 1.5f, least = 0.1f;
     const float perStep = one.growth + other.growth + (one.meanStep - other.meanStep).norm();
@@ -168,17 +169,18 @@ void SurfaceContacts::find(ClothPair& pair) {
     // Nodes that pass each other by several cells in a small step cannot be kept apart in such steps.
     if (!(pair.slack < 3 * slack)) return;
     const float adhesiveReach = std::max(one.adhesiveReach, other.adhesiveReach);
-    const float around = pair.slack + pair.used;
-    search_.find(pair, one, other, {adhesiveReach + around, around});
+    search_.find(pair, one, other, {adhesiveReach + pair.slack, pair.slack}, memory, memoryOfOther);
     if (!pair.contacts.empty()) cloths_[pair.one].touches = cloths_[pair.other].touches = true;
 }
 
 // Wet cloth adheres only by the nearest contact of each node; otherwise adhesion would count several times.
 void SurfaceContacts::updateAdhesion() {
+    if (!canAdhere_) return;
     std::fill(nearest_.begin(), nearest_.end(), Nearest{nullptr, nullptr});
     for (std::size_t p = 0; p < pairCount_; ++p) {
         ClothPair& pair = pairs_[p];
         for (PairContact& contact : pair.contacts) {
+            contact.adhesion = 0;
             const MeetingCloth& cloth = clothOfNode(pair, contact);
             if (contact.isOfEdges || !cloth.sheetFriction || !cloth.sheetFriction->canAdhere()) continue;
             Nearest& nearest = nearest_[cloth.firstIndex + static_cast<std::size_t>(contact.node)];
@@ -242,26 +244,43 @@ float SurfaceContacts::solve(bool backwards) {
 void SurfaceContacts::endStep() {
     const ContactStep step(static_cast<float>(smallStep_));
     for (std::size_t p = 0; p < pairCount_; ++p)
+        for (PairContact& contact : pairs_[p].contacts) step.beginSettling(contact);
+    constexpr int passes = 4;  // where layers are squeezed, what settles in one contact opens another
+    for (int pass = 0; pass < passes; ++pass)
+        for (std::size_t p = 0; p < pairCount_; ++p)
+            for (PairContact& contact : pairs_[p].contacts) step.settle(contact);
+    for (std::size_t p = 0; p < pairCount_; ++p)
         for (PairContact& contact : pairs_[p].contacts) step.finish(contact);
     if (--stepsLeft_ > 0) findWhatIsDue();
 }
 
 void SurfaceContacts::remember() {
+    rememberBonds();
+    for (std::size_t c = 0; c < clothCount_; ++c) cloths_[c].memory->clear();
+    for (std::size_t p = 0; p < pairCount_; ++p)
+        for (const PairContact& contact : pairs_[p].contacts)
+            remember(pairs_[p], contact, *clothOfNode(pairs_[p], contact).memory);
+    for (std::size_t c = 0; c < clothCount_; ++c) cloths_[c].memory->sort();
+}
+
+void SurfaceContacts::rememberBonds() {
     for (std::size_t c = 0; c < clothCount_; ++c) {
-        cloths_[c].memory->clear();
         if (!cloths_[c].sheetFriction) continue;
         std::vector<const btCollisionObject*>& bonds = cloths_[c].sheetFriction->adheresToCloth;
         std::fill(bonds.begin(), bonds.end(), nullptr);
     }
+    if (!canAdhere_) return;
     for (std::size_t p = 0; p < pairCount_; ++p)
-        for (const PairContact& contact : pairs_[p].contacts) remember(pairs_[p], contact);
-    for (std::size_t c = 0; c < clothCount_; ++c) cloths_[c].memory->sort();
+        for (const PairContact& contact : pairs_[p].contacts) {
+            const MeetingCloth &cloth = clothOfNode(pairs_[p], contact),
+                               &other = clothOfFace(pairs_[p], contact);
+            if (contact.adheres && cloth.sheetFriction)
+                cloth.sheetFriction->adheresToCloth[static_cast<std::size_t>(contact.node)] = other.body;
+        }
 }
 
-void SurfaceContacts::remember(const ClothPair& pair, const PairContact& contact) {
+void SurfaceContacts::remember(const ClothPair& pair, const PairContact& contact, ContactMemory& to) const {
     const MeetingCloth &cloth = clothOfNode(pair, contact), &other = clothOfFace(pair, contact);
-    if (contact.adheres && cloth.sheetFriction)
-        cloth.sheetFriction->adheresToCloth[static_cast<std::size_t>(contact.node)] = other.body;
     // Where both are well apart, their positions tell the side.
     constexpr float near = 0.5f;
     if (!contact.isActive || !(contact.gapAt(contact.apart()) < near * contact.distance)) return;
@@ -279,7 +298,7 @@ void SurfaceContacts::remember(const ClothPair& pair, const PairContact& contact
         kept.otherEnd = -1;
         kept.corners = other.tree->faces()[static_cast<std::size_t>(contact.face)].nodes;
     }
-    cloth.memory->add(kept);
+    to.add(kept);
 }
 
 void SurfaceContacts::finish() {

@@ -74,9 +74,11 @@ class SurfaceContacts {
 
     bool isDue(const ClothPair& pair) const;
     void findWhatIsDue();
-    void find(ClothPair& pair);
+    void findAgain(ClothPair& pair);
+    void find(ClothPair& pair, const ContactMemory& memory, const ContactMemory& memoryOfOther);
     void remember();
-    void remember(const ClothPair& pair, const PairContact& contact);
+    void remember(const ClothPair& pair, const PairContact& contact, ContactMemory& to) const;
+    void rememberBonds();
 
     void updateAdhesion();
     void updateAdhesion(const ClothPair& pair, PairContact& contact) const;
@@ -93,9 +95,10 @@ class SurfaceContacts {
     std::vector<MeetingCloth> cloths_;
     std::size_t clothCount_ = 0;  // in use; the others keep the capacity of their arrays
     std::vector<ClothPair> pairs_;
-    std::size_t pairCount_ = 0;   // in use
-    std::vector<char> dueAgain_;  // of each pair
+    std::size_t pairCount_ = 0;  // in use
     ContactSearch search_;
+    ContactMemory memory_, memoryOfOther_;  // of a pair, while its contacts are found again
+    bool canAdhere_ = false;                // whether any sheet is wet enough
     struct Nearest {
         const ClothPair* pair;
         PairContact* contact;

@@ -404,8 +404,7 @@ Outcome play(const Situation& situation) {
     {
         // What hangs over an edge swings; without air, momentum is kept.
         if (isAtRest) sheet->m_cfg.kDP = 2;
-        SheetSettings settings = isAtRest ? SheetSettings() : withoutAir();
-        settings.meetsItself = false;  // it is contacts with solids that are measured
+        const SheetSettings settings = isAtRest ? SheetSettings() : withoutAir();
         WetCloth cloth(*rig.world, *sheet, fabrics::cottonPlain(), settings);
         if (situation.load == SolidLoad::spin) setVelocity(*sheet, {0, btScalar(-0.5), 0});
         const btVector3 before = solid.velocity() * btScalar(solidMass);
