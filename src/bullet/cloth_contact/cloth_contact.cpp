@@ -35,13 +35,13 @@ void moveApart(ClothContact& contact, const Eigen::Vector3f& by) {
     }
 }
 
-// The same along the plane, for friction.
+// The same by friction. @param by  force times time squared, kg m
 void slide(ClothContact& contact, const Eigen::Vector3f& by) {
     for (std::size_t i = 0; i < 4; ++i) {
         MovingNode& node = *contact.moved[i];
         const Eigen::Vector3f share =
             by * contact.slipWeights[static_cast<int>(i)] + contact.axis * contact.turning[i].dot(by);
-        shift(node, share * (node.inverseMass / contact.slipResponse));
+        shift(node, share * node.inverseMass);
     }
 }
 
@@ -161,18 +161,24 @@ Eigen::Vector3f ClothContact::at(std::size_t corner) const {
 
 void ClothContact::findResponses() {
     findSlipWeights();
-    float sum = 0, largest = 0, slipSum = 0, slipLargest = 0;
+    float sum = 0, largest = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-        const float inverseMass = moved[i]->inverseMass, weight = std::abs(weights[static_cast<int>(i)]);
-        sum += inverseMass * weight * weight;
-        largest = std::max(largest, inverseMass * weight);
-        const float slipWeight = slipWeights[static_cast<int>(i)];
-        const float square = slipWeight * slipWeight + turning[i].squaredNorm();
-        slipSum += inverseMass * square;
-        slipLargest = std::max(slipLargest, inverseMass * std::sqrt(square));
+        const float weight = std::abs(weights[static_cast<int>(i)]), share = weight * moved[i]->inverseMass;
+        sum += share * weight;
+        largest = std::max(largest, share);
     }
     response = std::max(sum, largest / longestLever);
-    slipResponse = std::max(slipSum, slipLargest / longestLever);
+}
+
+float ClothContact::slipResponse(const Eigen::Vector3f& direction) const {
+    float sum = 0, largest = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const float weight = slipWeights[static_cast<int>(i)], turn = turning[i].dot(direction);
+        const float square = weight * weight + turn * turn, inverseMass = moved[i]->inverseMass;
+        sum += inverseMass * square;
+        largest = std::max(largest, inverseMass * inverseMass * square);
+    }
+    return std::max(sum, std::sqrt(largest) / longestLever);
 }
 
 void ClothContact::findSlipWeights() {
@@ -219,7 +225,7 @@ void ClothContact::findTurningOfEdges() {
 }
 
 ContactStep::ContactStep(float length) : square_(length * length) {
-    constexpr float time = 0.02f;    // in which an overlap is resolved, s (assumed)
+    constexpr float time = 0.1f;     // in which an overlap is resolved, s (assumed)
     constexpr float perSecond = 10;  // distances, at most (assumed)
     closing_ = std::min(length / time, 1.0f);
     fastest_ = perSecond * length;
@@ -250,7 +256,7 @@ void ContactStep::goOn(ClothContact& contact) const {
     const float perForce = square_ * contact.response;
     contact.push =
         contact.adheres ? contact.forces.push * perForce : std::max(contact.forces.push, 0.0f) * perForce;
-    contact.drag = contact.forces.drag * (square_ * contact.slipResponse);
+    contact.drag = contact.forces.drag * square_;
     if (contact.push == 0 && contact.drag.isZero(0)) return;
     moveApart(contact, contact.normal * contact.push);
     if (!contact.drag.isZero(0)) slide(contact, contact.drag);
@@ -272,15 +278,25 @@ float ContactStep::solve(ClothContact& contact) const {
     moveApart(contact, contact.normal * (push - contact.push));
     contact.push = push;
     contact.touched = contact.touched || push > 0 || contact.adheres;
+    const float dragged = rub(contact, contact.friction * (push + pull) / contact.response);
+    return std::max(pushed, dragged) / contact.distance;
+}
+
+// @param most  limit of friction, kg m
+// @return by how much it has moved both sides, m
+float ContactStep::rub(ClothContact& contact, float most) const {
     const Eigen::Vector3f slip = alongPlane(contact.slid() - contact.slidBefore, contact.normal);
-    Eigen::Vector3f drag = contact.drag - slip;
-    const float most = contact.friction * (push + pull) * (contact.slipResponse / contact.response);
+    const float distance = slip.norm();
+    Eigen::Vector3f drag = contact.drag;
+    const float response = distance > 0 ? contact.slipResponse(slip / distance) : 0;
+    if (response > 0) drag -= slip / response;
     const float needed = drag.norm();
     if (needed > most) drag *= needed > 0 ? std::max(most, 0.0f) / needed : 0.0f;
-    const Eigen::Vector3f dragged = drag - contact.drag;
-    if (!dragged.isZero(0)) slide(contact, dragged);
+    const Eigen::Vector3f by = drag - contact.drag;
+    if (by.isZero(0)) return 0;
+    slide(contact, by);
     contact.drag = drag;
-    return std::max(pushed, dragged.lpNorm<Eigen::Infinity>()) / contact.distance;
+    return by.norm() * contact.response;
 }
 
 void ContactStep::beginSettling(ClothContact& contact) const {
@@ -309,9 +325,7 @@ void ContactStep::finish(ClothContact& contact) const {
     const float push = contact.push / perForce;
     const float most = growth * std::max(contact.forces.push, 0.0f) + added / contact.response;
     const float goesOn = std::min(push, most);
-    const float perDrag = square_ * contact.slipResponse;
-    contact.forces.drag.setZero();  // nothing can slide where all are pins
-    if (perDrag > 0) contact.forces.drag = contact.drag * ((push > 0 ? goesOn / push : 1.0f) / perDrag);
+    contact.forces.drag = contact.drag * ((push > 0 ? goesOn / push : 1.0f) / square_);
     contact.forces.push = goesOn;
     // Where the line between both is not along the normal, a push turns the cloth.
     constexpr float near = 0.1f, nearWherePushed = 0.01f;

@@ -46,8 +46,9 @@ struct ClothContact {
     float notSettled = 0;             // of what it was placed, m
     float placed = 0;                 // how far it was placed apart in the small step, m
     float push = 0;                   // in the small step, as the distance that it moves both, m
-    Eigen::Vector3f drag = Eigen::Vector3f::Zero();  // the same of friction
-    ContactForces forces;                            // of the last small step
+    Eigen::Vector3f drag =
+        Eigen::Vector3f::Zero();  // of friction in the small step, its force times time squared, kg m
+    ContactForces forces;         // of the last small step
 
     // How far both points have moved apart since the start of the substep, m.
     Eigen::Vector3f apart() const { return between(moved); }
@@ -67,8 +68,9 @@ struct ClothContact {
     Eigen::Vector4f slipWeights;
     Eigen::Vector3f axis;  // normal of the face, or of both edges
     std::array<Eigen::Vector3f, 4>
-        turning;         // how far the upper point slides, where a corner moves along the axis
-    float slipResponse;  // to an impulse along the plane, 1/kg
+        turning;  // how far the upper point slides, where a corner moves along the axis
+    // To an impulse along a direction in the plane, 1/kg.
+    float slipResponse(const Eigen::Vector3f& direction) const;
 
   private:
     Eigen::Vector3f between(const std::array<MovingNode*, 4>& nodes) const;
@@ -100,6 +102,8 @@ class ContactStep {
     void finish(ClothContact& contact) const;
 
   private:
+    float rub(ClothContact& contact, float most) const;
+
     float square_;   // of the length, s2
     float closing_;  // fraction of an overlap that a step resolves
     float fastest_;  // and its limit, as a fraction of the distance

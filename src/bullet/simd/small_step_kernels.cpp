@@ -173,14 +173,15 @@ float meanOfCorners(const NodeRatios* ratios, float NodeRatios::*ratio, const Pl
 }
 
 void preparePlate(MovingNode* push, PlateBlock& block, PlateState& state, const PlateWeights& weights,
-                  const PlateLaws& laws, const MovingNode* start, const NodeRatios* ratios,
-                  const PlateTimes& times, std::size_t lane) {
+                  const PlateLaws& laws, const MovingNode* start, const MovingNode* middle,
+                  const NodeRatios* ratios, const PlateTimes& times, std::size_t lane) {
     const float rigidity = laws.bending * meanOfCorners(ratios, &NodeRatios::bending, block, lane);
     const float limit = laws.frictionLimit * meanOfCorners(ratios, &NodeRatios::bendingFriction, block, lane);
     const float held = rigidity * (1 + laws.frictionStiffness);
 
     float normal[3], bent[3], moments[3];
-    normalOf(normal, start[block.nodes[0][lane]], start[block.nodes[1][lane]], start[block.nodes[2][lane]]);
+    normalOf(normal, middle[block.nodes[0][lane]], middle[block.nodes[1][lane]],
+             middle[block.nodes[2][lane]]);
     Components components = curvature(start, block, weights, lane);
     for (std::size_t m = 0; m < 3; ++m) {
         const float* component = components.of[m];
@@ -196,12 +197,12 @@ void preparePlate(MovingNode* push, PlateBlock& block, PlateState& state, const 
 }
 
 void preparePlates(MovingNode* push, PlateBlock* blocks, PlateState* states, const PlateWeights* weights,
-                   const PlateLaws& laws, const MovingNode* start, const NodeRatios* ratios,
-                   const PlateTimes& times, std::size_t count) {
+                   const PlateLaws& laws, const MovingNode* start, const MovingNode* middle,
+                   const NodeRatios* ratios, const PlateTimes& times, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t lane = 0; lane < blockWidth; ++lane)
-            preparePlate(push, blocks[i], states[i], weights[blocks[i].weights], laws, start, ratios, times,
-                         lane);
+            preparePlate(push, blocks[i], states[i], weights[blocks[i].weights], laws, start, middle, ratios,
+                         times, lane);
 }
 
 }  // namespace

@@ -113,9 +113,12 @@ struct SmallStepKernels {
 
     // Computes the values of the plates for this substep, lets bending friction slide, and adds the
     // correction of the curvature at the start of the substep to `push`, for each small step.
+    // @param middle  positions in the middle of the substep, by which friction is directed, so that it takes no angular
+    //     momentum from cloth that turns
     void (*preparePlates)(MovingNode* push, PlateBlock* blocks, PlateState* states,
                           const PlateWeights* weights, const PlateLaws& laws, const MovingNode* start,
-                          const NodeRatios* ratios, const PlateTimes& times, std::size_t count);
+                          const MovingNode* middle, const NodeRatios* ratios, const PlateTimes& times,
+                          std::size_t count);
 
     // Each plate moves the nodes of `to` against the change of its curvature at `from` since the start of the
     // substep; both may be the same array.

@@ -143,12 +143,12 @@ static void solvePlates(MovingNode* to, const MovingNode* from, const PlateBlock
 }
 
 // Unit normals of the plates' own triangles.
-DRENCH_INLINE void unitNormal(Vector& normal, const MovingNode* start, const PlateBlock& block) {
+DRENCH_INLINE void unitNormal(Vector& normal, const MovingNode* nodes, const PlateBlock& block) {
     Vector a, b, c;
     Eight unused;
-    load(a, unused, start, block.nodes[0]);
-    load(b, unused, start, block.nodes[1]);
-    load(c, unused, start, block.nodes[2]);
+    load(a, unused, nodes, block.nodes[0]);
+    load(b, unused, nodes, block.nodes[1]);
+    load(c, unused, nodes, block.nodes[2]);
     const Vector u = {b.x - a.x, b.y - a.y, b.z - a.z}, v = {c.x - a.x, c.y - a.y, c.z - a.z};
     normal = Vector{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
     constexpr float tiny = 1e-30f;
@@ -196,7 +196,8 @@ DRENCH_INLINE void share(PlateBlock& block, const PlateWeights& weights, const E
 
 static void preparePlates(MovingNode* push, PlateBlock* blocks, PlateState* states,
                           const PlateWeights* weights, const PlateLaws& laws, const MovingNode* start,
-                          const NodeRatios* ratios, const PlateTimes& times, std::size_t count) {
+                          const MovingNode* middle, const NodeRatios* ratios, const PlateTimes& times,
+                          std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         PlateBlock& block = blocks[i];
         PlateState& state = states[i];
@@ -210,7 +211,7 @@ static void preparePlates(MovingNode* push, PlateBlock* blocks, PlateState* stat
         const Eight held = rigidity * (1 + laws.frictionStiffness);
 
         curvature(components, inverseMass, start, block, own);
-        unitNormal(normal, start, block);
+        unitNormal(normal, middle, block);
         for (std::size_t m = 0; m < 3; ++m)
             bent[m] = components[m].x * normal.x + components[m].y * normal.y + components[m].z * normal.z;
         slide(moments, state, bent, rigidity * laws.frictionStiffness, limit);

@@ -38,7 +38,8 @@ struct MeetingCloth {
     float slack;             // how far nodes may deviate before contacts are found again, m
     float adhesiveReach;     // m; 0 if nothing adheres
     std::size_t firstIndex;  // of its nodes among those of all cloths
-    bool touches;            // whether it has had contacts in this substep
+    bool touches;            // whether a contact has acted in this small step
+    bool hasTouchedOthers;   // whether one with other cloth has touched
 
     // Since the start of the substep.
     Eigen::Vector3f way;                  // sum of the mean displacements of the small steps, m

@@ -330,7 +330,7 @@ void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
     step_ = 0;
     keep_ = float(std::exp(-damping_ * smallStep_));
     const auto h = float(smallStep_), longest = float(longestStep_),
-               squared = float(longestStep_ * longestStep_);
+               squared = float(longestStep_ * longestStep_), half = float(substep_ / 2);
     for (std::size_t n = 0; n < count_; ++n) {
         const MovingNode &v = velocity_[n], &a = acceleration_[n];
         const float inverseMass = start_[n].inverseMass;
@@ -339,14 +339,15 @@ void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
         moved_[n] = predicted_[n] = {0, 0, 0, inverseMass};
         steps_[n] = {v.x * h, v.y * h, v.z * h, 0};
         push_[n] = {a.x * squared + v.x * feed, a.y * squared + v.y * feed, a.z * squared + v.z * feed, 0};
+        expected_[n] = {start_[n].x + half * v.x, start_[n].y + half * v.y, start_[n].z + half * v.z, 0};
     }
     moved_[count_] = push_[count_] =
         ahead_[count_] = {0, 0, 0, 0};  // the spare node must not accumulate anything
     kernels_.prepareLinks(links_.data(), dryStiffness_.data(), start_.data(), ratios_.data(), squared,
                           links_.size());
     kernels_.preparePlates(push_.data(), plates_.data(), plateStates_.data(), plateWeights_.data(),
-                           plateLaws_, start_.data(), ratios_.data(), {longest, float(platesEvery_)},
-                           plates_.size());
+                           plateLaws_, start_.data(), expected_.data(), ratios_.data(),
+                           {longest, float(platesEvery_)}, plates_.size());
 }
 
 // A step shorter than the longest one gets that fraction of the impulses of the longest one, which the cloth
@@ -399,6 +400,72 @@ double SmallStepSheet::fractionOf(double ofLongest) const {
 void SmallStepSheet::place(std::size_t node, const btVector3& by) {
     shift(moved_[node], by);
     shift(predicted_[node], by);
+}
+
+namespace {
+
+// Mass, centre and angular momentum of nodes, and their inertia.
+struct Spin {
+    double mass = 0;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();   // sum of masses times positions, at first
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();   // of momentum or of forces, about the centre
+    Eigen::Vector3d linear = Eigen::Vector3d::Zero();   // sum of momenta or of forces
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the centre
+
+    // @param at, motion  of each node: its position, and its velocity or acceleration
+    template <typename At, typename Motion>
+    Spin(const std::vector<MovingNode>& masses, std::size_t count, At at, Motion motion) {
+        Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+        for (std::size_t n = 0; n < count; ++n) {
+            const double ofNode = 1 / double(masses[n].inverseMass);
+            const Eigen::Vector3d position = at(n), momentum = ofNode * motion(n);
+            mass += ofNode;
+            centre += ofNode * position;
+            linear += momentum;
+            moment += position.cross(momentum);
+            squares += ofNode * position * position.transpose();
+        }
+        centre /= mass;
+        moment -= centre.cross(linear);
+        squares -= mass * centre * centre.transpose();
+        inertia = squares.trace() * Eigen::Matrix3d::Identity() - squares;
+    }
+};
+
+Eigen::Vector3d vector3(const MovingNode& node) {
+    return {double(node.x), double(node.y), double(node.z)};
+}
+
+}  // namespace
+
+void SmallStepSheet::keepAngularMomentum() {
+    const auto isPin = [](const MovingNode& node) { return !(node.inverseMass > 0); };
+    if (std::any_of(moved_.begin(), moved_.end() - 1, isPin) || firstLost() >= 0) return;
+    const auto end = [this](std::size_t n) {
+        return Eigen::Vector3d(vector3(start_[n]) + vector3(moved_[n]));
+    };
+    const auto middle = [this](std::size_t n) {
+        return Eigen::Vector3d(vector3(start_[n]) + vector3(moved_[n]) / 2);
+    };
+    const auto stepOf = [this](std::size_t n) {
+        return Eigen::Vector3d(vector3(steps_[n]) + (vector3(moved_[n]) - vector3(predicted_[n])));
+    };
+    const Spin before(
+        start_, count_, [this](std::size_t n) { return vector3(start_[n]); },
+        [this](std::size_t n) { return vector3(velocity_[n]); });
+    const Spin forces(start_, count_, middle, [this](std::size_t n) { return vector3(acceleration_[n]); });
+    const Spin after(start_, count_, end,
+                     [&](std::size_t n) { return Eigen::Vector3d(stepOf(n) / smallStep_); });
+    const double kept = std::exp(-damping_ * substep_), keptOfHalf = std::exp(-damping_ * substep_ / 2);
+    const Eigen::Vector3d lost =
+        before.moment * kept + forces.moment * (substep_ * keptOfHalf) - after.moment;
+    const Eigen::Vector3d spin = after.inertia.ldlt().solve(lost);
+    constexpr double enough = 1e-6;  // a sheet whose nodes are all on one line does not turn about it
+    if (!((after.inertia * spin - lost).norm() <= enough * lost.norm())) return;
+    for (std::size_t n = 0; n < count_; ++n) {
+        const Eigen::Vector3d by = spin.cross(end(n) - after.centre) * smallStep_;
+        shift(steps_[n], btVector3(btScalar(by.x()), btScalar(by.y()), btScalar(by.z())));
+    }
 }
 
 int SmallStepSheet::firstLost() const {

@@ -44,6 +44,9 @@ class SmallStepSheet {
     // Moves the body as a rigid displacement from one pose to another does, pins included.
     void carry(btSoftBody& body, const btTransform& from, const btTransform& to);
 
+    // Gives a sheet that nothing has touched in this substep the angular momentum that forces and damping leave to it.
+    // (Each step corrects stretch where the nodes come to, not where they were, and that turns a turning sheet back.)
+    void keepAngularMomentum();
     // Writes positions and velocities to the body.
     // @return -1 if all are valid; otherwise the first node with an invalid position. The body is then reset
     //     to the start of the substep, with velocity 0

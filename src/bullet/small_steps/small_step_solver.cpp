@@ -389,7 +389,11 @@ void SmallStepSolver::State::meetCloth() {
 
 void SmallStepSolver::State::finish(btScalar substep) {
     StopWatch watch;
-    for (const Solving& each : sheets) {
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+        const Solving& each = sheets[i];
+        if (!each.sheet->contacts.hasTouched() && !surfaceContacts.hasTouchedOthers(i) &&
+            each.body->m_anchors.size() == 0)
+            each.sheet->cloth.keepAngularMomentum();
         const int off = each.sheet->cloth.finish(*each.body);
         if (off >= 0) {
             ++each.mechanics->heldSubsteps;

@@ -256,6 +256,7 @@ void SolidContacts::writeContacts(const NodeContacts& of, const btVector3& posit
         contact.solid = static_cast<std::uint32_t>(touching.solid);
         contact.touched = false;
         contact.pushed = 0;
+        std::fill(contact.dragged, contact.dragged + 3, 0.0f);
         contact.friction = float(sheetFriction_->friction(touching.surface, of.node));
         // A face of the cloth adheres only once.
         const bool isFirstOfFace = i == 0 || chosen_.front().normal.dot(sight.normal) <= otherFace;
@@ -317,9 +318,14 @@ void SolidContacts::carry(SmallStepSheet& sheet, Solids& solids) {
             const btScalar depth = -gapOf(i, solid, alongSolid(i, of.node, sheet, solid));
             MovingNode& node = sheet.moved(of.node);
             const btScalar response = btScalar(node.inverseMass) + btScalar(contact.response);
-            if (!(depth > 0 && response > 0 && depth < std::numeric_limits<btScalar>::max())) continue;
-            const btVector3 push = solid.turned(vector(contact.normal)) * (depth / response);
-            contact.pushed += float(depth / response);
+            const bool isCarried = depth > 0 || contact.pushed > 0;
+            if (!(isCarried && response > 0 && std::abs(depth) < std::numeric_limits<btScalar>::max()))
+                continue;
+            const btVector3 normal = solid.turned(vector(contact.normal));
+            const btScalar more = std::max(depth, btScalar(0)) / response;
+            contact.pushed += float(more);
+            const btScalar most = lawOf(contact, sheet).maxFriction(btScalar(contact.pushed));
+            const btVector3 push = normal * more + rub(contact, i, sheet, of.node, solid, normal, most);
             shift(node, push * btScalar(node.inverseMass));
             if (!solid.isStill()) solid.push(planes_[i].arm, -push);
         }
@@ -420,7 +426,10 @@ void SolidContacts::goOn(std::size_t contact, btScalar depth) {
             !faceAlike(vector(before.normal), vector(now.normal)))
             continue;
         now.touched = now.touched || before.touched;
-        now.pushed = std::max(now.pushed, before.pushed);
+        if (before.pushed > now.pushed) {
+            now.pushed = before.pushed;
+            std::copy(before.dragged, before.dragged + 3, now.dragged);
+        }
         now.adheres = now.adhesion > 0 && (now.adheres || before.adheres);
         plane.rest = std::max(plane.rest, std::min(planesBefore_[i].rest, depth));
     }
@@ -466,32 +475,54 @@ SurfacePoint SolidContacts::nearestOf(const NodeContacts& of, std::size_t touchi
     return nearest;
 }
 
+// Friction against the slip of a node in the small step, together with what `carry` has applied in it.
+// @return what is to be added to that, kg m
+btVector3 SolidContacts::rub(Contact& contact, std::size_t index, SmallStepSheet& sheet, std::size_t n,
+                             const Solid& solid, const btVector3& normal, btScalar most) const {
+    btVector3 slip = sheet.step(n);
+    if (!solid.isStill()) slip -= solid.step(planes_[index].arm);
+    slip = alongSurface(slip, normal);
+    const btScalar length = slip.length();
+    const btVector3 before = vector(contact.dragged);
+    btVector3 all = before;
+    if (length > 0) {
+        // A solid that can rotate yields more to a tangential force than to a normal one.
+        btScalar giving = btScalar(sheet.moved(n).inverseMass);
+        if (solid.isMovable()) giving += solid.response(planes_[index].arm, slip / length);
+        all -= slip / giving;
+    }
+    const btScalar needed = all.length();
+    if (needed > most) all *= std::max(most, btScalar(0)) / needed;
+    for (int axis = 0; axis < 3; ++axis) contact.dragged[axis] = float(all[axis]);
+    return all - before;
+}
+
 void SolidContacts::hold(std::size_t contact, SmallStepSheet& sheet, std::size_t n, Solid& solid,
                          btScalar depth) {
     Contact& holding = contacts_[contact];
     MovingNode& node = sheet.moved(n);
     const btVector3 normal = solid.turned(vector(holding.normal));
     const auto inverseMass = btScalar(node.inverseMass);
-    const auto h = btScalar(sheet.smallStep());
-    const ContactLaw law = {btScalar(holding.friction),
-                            holding.adheres ? btScalar(holding.adhesion) * h * h : btScalar(0)};
+    const ContactLaw law = lawOf(holding, sheet);
     // With what it has pushed before in this small step.
     const auto before = btScalar(std::exchange(holding.pushed, 0.0f));
     if (depth > 0 || before > 0) sheet.setCarried(n);
     const btScalar push = law.push(before + depth / (inverseMass + btScalar(holding.response)));
-    btVector3 slip = sheet.step(n);
-    if (!solid.isStill()) slip -= solid.step(planes_[contact].arm);
-    slip = alongSurface(slip, normal);
-    const btScalar length = slip.length();
-    btVector3 total = normal * (push - before);
-    if (length > 0) {
-        // A solid that can rotate yields more to a tangential force than to a normal one.
-        btScalar giving = inverseMass;
-        if (solid.isMovable()) giving += solid.response(planes_[contact].arm, slip / length);
-        total -= drag(slip, length, length / giving, law.maxFriction(push));
-    }
+    const btVector3 total =
+        normal * (push - before) + rub(holding, contact, sheet, n, solid, normal, law.maxFriction(push));
+    std::fill(holding.dragged, holding.dragged + 3, 0.0f);
     shift(node, total * inverseMass);
     if (!solid.isStill()) solid.push(planes_[contact].arm, -total);
+}
+
+ContactLaw SolidContacts::lawOf(const Contact& contact, const SmallStepSheet& sheet) {
+    const auto h = btScalar(sheet.smallStep());
+    return {btScalar(contact.friction), contact.adheres ? btScalar(contact.adhesion) * h * h : btScalar(0)};
+}
+
+bool SolidContacts::hasTouched() const {
+    return std::any_of(contacts_.begin(), contacts_.end(),
+                       [](const Contact& contact) { return contact.touched; });
 }
 
 void SolidContacts::finish(btSoftBody& body, Friction& sheetFriction, const Solids& solids,

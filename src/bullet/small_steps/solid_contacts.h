@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bullet/contact/contact_law.h"
 #include "bullet/contact/friction.h"
 #include "bullet/contact/near_solids.h"
 #include "bullet/contact/parts_in_rows.h"
@@ -41,6 +42,8 @@ class SolidContacts {
     // Keeps nodes on their side of the planes, with Coulomb friction along them.
     void solve(SmallStepSheet& sheet, Solids& solids);
     // Writes the contacts that have touched to m_rcontacts, and the adhesive bonds to the Friction of the sheet.
+    // Whether any has touched in this substep.
+    bool hasTouched() const;
     void finish(btSoftBody& body, Friction& sheetFriction, const Solids& solids, double substep) const;
 
   private:
@@ -79,6 +82,7 @@ class SolidContacts {
         float adhesion;       // adhesive force, N
         float response;       // of the solid, 1/kg
         float pushed;         // by `carry` in this small step, as an impulse times that step, kg m
+        float dragged[3];     // and its friction, the same
         std::uint32_t solid;  // index
         bool adheres;
         bool touched;
@@ -127,6 +131,9 @@ class SolidContacts {
     // Whether the node reaches the solid of a contact in the small step; the plane is then that of the place.
     bool reaches(const NodeContacts& of, std::size_t contact, SmallStepSheet& sheet, const Solid& solid);
     SurfacePoint nearestOf(const NodeContacts& of, std::size_t touching, const btVector3& point) const;
+    btVector3 rub(Contact& contact, std::size_t index, SmallStepSheet& sheet, std::size_t n,
+                  const Solid& solid, const btVector3& normal, btScalar most) const;
+    static ContactLaw lawOf(const Contact& contact, const SmallStepSheet& sheet);
     void hold(std::size_t contact, SmallStepSheet& sheet, std::size_t n, Solid& solid, btScalar depth);
 
     btSoftBody* body_ = nullptr;

@@ -49,7 +49,7 @@ void SurfaceContacts::begin(const std::vector<Sheet>& sheets, double substep, in
 
 MeetingCloth& SurfaceContacts::newCloth() {
     if (clothCount_ == cloths_.size()) cloths_.emplace_back();
-    cloths_[clothCount_].touches = false;
+    cloths_[clothCount_].touches = cloths_[clothCount_].hasTouchedOthers = false;
     return cloths_[clothCount_++];
 }
 
@@ -170,7 +170,6 @@ void SurfaceContacts::find(ClothPair& pair, const ContactMemory& memory, const C
     if (!(pair.slack < 3 * slack)) return;
     const float adhesiveReach = std::max(one.adhesiveReach, other.adhesiveReach);
     search_.find(pair, one, other, {adhesiveReach + pair.slack, pair.slack}, memory, memoryOfOther);
-    if (!pair.contacts.empty()) cloths_[pair.one].touches = cloths_[pair.other].touches = true;
 }
 
 // Wet cloth adheres only by the nearest contact of each node; otherwise adhesion would count several times.
@@ -210,6 +209,7 @@ void SurfaceContacts::updateAdhesion(const ClothPair& pair, PairContact& contact
 }
 
 void SurfaceContacts::beginStep() {
+    for (std::size_t c = 0; c < clothCount_; ++c) cloths_[c].touches = false;
     const ContactStep step(static_cast<float>(smallStep_));
     for (std::size_t p = 0; p < pairCount_; ++p)
         for (PairContact& contact : pairs_[p].contacts) step.separate(contact);
@@ -222,21 +222,33 @@ void SurfaceContacts::beginStep() {
 void SurfaceContacts::goOn() {
     const ContactStep step(static_cast<float>(smallStep_));
     for (std::size_t p = 0; p < pairCount_; ++p)
-        for (PairContact& contact : pairs_[p].contacts) step.goOn(contact);
+        for (PairContact& contact : pairs_[p].contacts) {
+            step.goOn(contact);
+            noteTouch(pairs_[p], contact);
+        }
+}
+
+void SurfaceContacts::noteTouch(const ClothPair& pair, const PairContact& contact) {
+    if (contact.push != 0) cloths_[pair.one].touches = cloths_[pair.other].touches = true;
 }
 
 float SurfaceContacts::solve(bool backwards) {
     const ContactStep step(static_cast<float>(smallStep_));
     float most = 0;
-    const auto solved = [&](PairContact& contact) { most = std::max(most, step.solve(contact)); };
+    const auto solved = [&](const ClothPair& pair, PairContact& contact) {
+        most = std::max(most, step.solve(contact));
+        noteTouch(pair, contact);
+    };
     const auto first = pairs_.begin(), end = first + static_cast<std::ptrdiff_t>(pairCount_);
     if (backwards)
-        std::for_each(
-            std::make_reverse_iterator(end), std::make_reverse_iterator(first),
-            [&](ClothPair& pair) { std::for_each(pair.contacts.rbegin(), pair.contacts.rend(), solved); });
+        std::for_each(std::make_reverse_iterator(end), std::make_reverse_iterator(first),
+                      [&](ClothPair& pair) {
+                          std::for_each(pair.contacts.rbegin(), pair.contacts.rend(),
+                                        [&](PairContact& contact) { solved(pair, contact); });
+                      });
     else
         std::for_each(first, end, [&](ClothPair& pair) {
-            std::for_each(pair.contacts.begin(), pair.contacts.end(), solved);
+            for (PairContact& contact : pair.contacts) solved(pair, contact);
         });
     return most;
 }
@@ -251,7 +263,19 @@ void SurfaceContacts::endStep() {
             for (PairContact& contact : pairs_[p].contacts) step.settle(contact);
     for (std::size_t p = 0; p < pairCount_; ++p)
         for (PairContact& contact : pairs_[p].contacts) step.finish(contact);
+    noteTouches();
     if (--stepsLeft_ > 0) findWhatIsDue();
+}
+
+void SurfaceContacts::noteTouches() {
+    for (std::size_t p = 0; p < pairCount_; ++p) {
+        const ClothPair& pair = pairs_[p];
+        const bool areOne = pair.one == pair.other;
+        if (areOne || (cloths_[pair.one].hasTouchedOthers && cloths_[pair.other].hasTouchedOthers)) continue;
+        if (std::any_of(pair.contacts.begin(), pair.contacts.end(),
+                        [](const PairContact& contact) { return contact.touched || contact.placed > 0; }))
+            cloths_[pair.one].hasTouchedOthers = cloths_[pair.other].hasTouchedOthers = true;
+    }
 }
 
 void SurfaceContacts::remember() {

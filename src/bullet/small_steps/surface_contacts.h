@@ -51,8 +51,10 @@ class SurfaceContacts {
     }
 
     void begin(const std::vector<Sheet>& sheets, double substep, int steps);
-    // Whether a sheet, by its index, is near cloth.
+    // Whether cloth has pushed or pulled a sheet, by its index, in this small step.
     bool touches(std::size_t sheet) const { return cloths_[sheet].touches; }
+    // Whether it has touched other cloth in this substep.
+    bool hasTouchedOthers(std::size_t sheet) const { return cloths_[sheet].hasTouchedOthers; }
     // Called in each small step: before the sheets move; then once, and in each sweep; and when solids have moved
     // the nodes too.
     void beginStep();
@@ -74,6 +76,8 @@ class SurfaceContacts {
 
     bool isDue(const ClothPair& pair) const;
     void findWhatIsDue();
+    void noteTouch(const ClothPair& pair, const PairContact& contact);
+    void noteTouches();
     void findAgain(ClothPair& pair);
     void find(ClothPair& pair, const ContactMemory& memory, const ContactMemory& memoryOfOther);
     void remember();

@@ -173,7 +173,8 @@ TEST(Wind, AFieldThatIsTheSameEverywhereIsASteadyWind) {
         rig.run(1);
         return std::make_pair(sheet.m_nodes[280].m_x, cloth.waterMass());
     };
-    EXPECT_EQ(run(true, 0).first, run(false, 0).first);
+    // Small steps are in single precision, and the sums of the air may round otherwise.
+    EXPECT_LT(double((run(true, 0).first - run(false, 0).first).length()), 1e-7);
     const auto field = run(true, 0.2), steady = run(false, 0.2);
     EXPECT_LT(double((field.first - steady.first).length()), 1e-4);
     EXPECT_NEAR(field.second, steady.second, 1e-9);
