@@ -46,7 +46,7 @@ void StockContacts::rewrite(const btCollisionWorld& world, btSoftBody& body, Fri
     findAdhering(body, sheetFriction);
 
     const auto substep = double(body.m_sst.sdt);
-    solids_.begin(substep);
+    solids_.begin(substep, Motors());  // contacts with multibodies are Bullet's
     solids_.advance(substep);
     for (const Held& held : held_) hold(body, held, btScalar(sheetFriction.reach()));
     solids_.finish(body.m_worldInfo->m_dispatcher);

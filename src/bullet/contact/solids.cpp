@@ -55,20 +55,21 @@ SolidPath pathByVelocities(const btCollisionObject& object, btScalar substep) {
     return {motion.isZero() ? end : moved(end, motion * -1), end};
 }
 
-void Solid::begin(double substep) {
+void Solid::begin(double substep, bool isDriven) {
+    isDriven_ = isDriven;
     substep_ = btScalar(substep);
     elapsed_ = smallStep_ = 0;
     response_ = SolidResponse(*object_);
     isMoving_ = path_.isMoving();
     if (isMoving_) own_ = path_.motion() * (1 / substep_);
-    isStill_ = !isMoving_ && !isMovable();
+    isStill_ = !isMoving_ && !response_.isMovable();
     isTurning_ = isMoving_ && !own_.angular.isZero();
 }
 
 btTransform Solid::poseAt(btScalar time, const Twist& shift) const {
     btTransform pose = path_.start;
     if (isMoving_) pose = moved(pose, own_ * time);
-    return response_.isMovable() ? moved(pose, shift) : pose;
+    return isMovable() ? moved(pose, shift) : pose;
 }
 
 void Solid::advance(double smallStep) {
@@ -86,13 +87,15 @@ void Solid::advance(double smallStep) {
 
 void Solid::finish(btDispatcher* dispatcher) {
     if (!isTouched_) return;
-    if (!isMovable()) return SolidResponse::wake(*object_);
+    if (!response_.isMovable()) return SolidResponse::wake(*object_);
     // The reaction of a sheet that became unstable, and was held at its position, must not affect other
     // bodies.
+    const Twist change = response_.to(pushes_);
     const btScalar all =
-        size(added_.linear) + size(added_.angular) + size(shift_.linear) + size(shift_.angular);
+        size(change.linear) + size(change.angular) + size(shift_.linear) + size(shift_.angular);
     if (!(double(all) <= fastestNode)) return;
-    SolidResponse::apply(*object_, pushes_, touchesSolids(*object_, dispatcher) ? nullptr : &displacing_);
+    const bool isHeld = isDriven_ || touchesSolids(*object_, dispatcher);
+    SolidResponse::apply(*object_, pushes_, isHeld ? nullptr : &displacing_);
 }
 
 btScalar Solid::response(const btVector3& arm, const btVector3& direction) const {
@@ -104,8 +107,11 @@ btScalar Solid::response(const btVector3& arm, const btVector3& direction) const
 
 void Solid::push(const btVector3& arm, const btVector3& push) {
     touch();
-    if (!isMovable()) return;
+    if (!response_.isMovable()) return;
     const Wrench wrench = {push, turned(arm).cross(push)};
+    pushes_.force += wrench.force / smallStep_;
+    pushes_.torque += wrench.torque / smallStep_;
+    if (isDriven_) return;
     const Twist change = response_.to(wrench);
     shift_.linear += change.linear;
     shift_.angular += change.angular;
@@ -113,8 +119,6 @@ void Solid::push(const btVector3& arm, const btVector3& push) {
     added_.angular += change.angular / smallStep_;
     displacing_.force += wrench.force;
     displacing_.torque += wrench.torque;
-    pushes_.force += wrench.force / smallStep_;
-    pushes_.torque += wrench.torque / smallStep_;
 }
 
 std::size_t Solids::add(btCollisionObject& object, const SolidPath& path) {
@@ -124,8 +128,8 @@ std::size_t Solids::add(btCollisionObject& object, const SolidPath& path) {
     return solids_.size() - 1;
 }
 
-void Solids::begin(double substep) {
-    for (Solid& solid : solids_) solid.begin(substep);
+void Solids::begin(double substep, const Motors& motors) {
+    for (Solid& solid : solids_) solid.begin(substep, motors.drive(solid.object()));
 }
 
 void Solids::advance(double smallStep) {

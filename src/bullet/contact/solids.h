@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "bullet/contact/motors.h"
 #include "bullet/contact/rigid_motion.h"
 #include "bullet/contact/solid_response.h"
 #include "drench/config.h"
@@ -33,7 +34,8 @@ class Solid {
     Solid(btCollisionObject& object, const SolidPath& path) : object_(&object), path_(path) {}
 
     // @pre Bullet has solved the substep
-    void begin(double substep);
+    // @param isDriven  by a motor, which holds it in this substep; impulses change its velocity at the end only
+    void begin(double substep, bool isDriven);
     // Advances by one small step.
     void advance(double smallStep);
     // Applies the changes of velocity and position to Bullet's body. The position must change too, or in the
@@ -43,7 +45,7 @@ class Solid {
 
     const btCollisionObject& object() const { return *object_; }
     const SolidPath& path() const { return path_; }
-    bool isMovable() const { return response_.isMovable(); }
+    bool isMovable() const { return response_.isMovable() && !isDriven_; }
     // Whether it neither moves nor can be pushed.
     bool isStill() const { return isStill_; }
     bool isTurning() const { return isTurning_; }
@@ -89,7 +91,7 @@ class Solid {
     btVector3 moved_ = {0, 0, 0};  // displacement of the centre of mass along the path, m
     btMatrix3x3 turn_ = btMatrix3x3::getIdentity();  // since the start of the substep
     bool isStill_ = true;
-    bool isMoving_ = false, isTurning_ = false, isTouched_ = false;
+    bool isMoving_ = false, isTurning_ = false, isTouched_ = false, isDriven_ = false;
     btScalar substep_ = 0;    // s
     btScalar smallStep_ = 0;  // s
     btScalar elapsed_ = 0;    // s since the start of the substep
@@ -104,7 +106,7 @@ class Solids {
     Solid& operator[](std::size_t index) { return solids_[index]; }
     const Solid& operator[](std::size_t index) const { return solids_[index]; }
 
-    void begin(double substep);
+    void begin(double substep, const Motors& motors);
     void advance(double smallStep);
     void finish(btDispatcher* dispatcher);
 

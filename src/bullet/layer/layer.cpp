@@ -248,6 +248,7 @@ void WetCloth::Layer::substep(btScalar dt) {
     keepPrimed(body, mechanics.shape,
                deformable || (!mechanics.movedBySmallSteps && meetsSoftBodies(world, body)));
     savedState.silenceAero(body);
+    mechanics.motors.read(world);
     const double bodyStep = bodyStepOf(dt);
     time += bodyStep;
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bullet/contact/friction.h"
+#include "bullet/contact/motors.h"
 #include "bullet/contact/near_solids.h"
 #include "bullet/sheet/rest_shape.h"
 #include "cloth/link_stiffness.h"
@@ -52,6 +53,7 @@ struct SheetMechanics {
 
     bool meetsItself = true;  // see SheetSettings
     bool meetsSheets = true;
+    Motors motors;    // of the world, in this substep
     NearSolids near;  // as the SmallStepSolver last saw them
 
     // Set by a SmallStepSolver, once it has found the sheet.

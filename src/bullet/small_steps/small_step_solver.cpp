@@ -321,7 +321,7 @@ void SmallStepSolver::State::begin(btScalar substep) {
                                        solids);
         each.sheet->anchors.addSolids(*each.body, each.mechanics->near, solids);
     }
-    solids.begin(double(substep));
+    solids.begin(double(substep), sheets[0].mechanics->motors);
     share(&StepTimes::contacts, watch.lap());
     meetingSheets.clear();
     for (const Solving& each : sheets) {
