@@ -133,13 +133,31 @@ void SolidContacts::find(const SmallStepSheet& sheet, const Solid& solid, std::s
         ((sheet.meanReach() - motion.linear).length() + search.turn * search.bounds.halfDiagonal()) / 2;
     const btScalar around = slack * margin_ + search.pull + (sheetFriction_->canAdhere() ? reach_ : 0);
     if (shape.isConvex()) gather(shape, search.bounds);
-    for (std::size_t group = 0; group < sheet.bounds().size(); ++group) {
+    const auto pathOf = [&](std::size_t group) {
         const Bounds& nodes = sheet.bounds()[group];
         Bounds path = nodes.seenFrom(solid.path().start);
         if (solid.path().isMoving()) path.take(nodes.seenFrom(solid.path().end));
         path.grow(around + sagitta(std::max(path.low.length(), path.high.length()), search.turn));
+        return path;
+    };
+    std::size_t gathered = 0;  // groups whose surroundings have been gathered
+    for (std::size_t group = 0; group < sheet.bounds().size(); ++group) {
+        const Bounds path = pathOf(group);
         if (!path.meets(search.bounds)) continue;
-        if (!shape.isConvex()) gather(shape, path);
+        if (!shape.isConvex() && group >= gathered) {
+            // Together with the next groups, where these lie side by side, so that few parts are gathered twice.
+            constexpr std::size_t most = 16;
+            constexpr auto wasted = btScalar(1.1);
+            Bounds all = path;
+            for (gathered = group + 1; gathered < std::min(group + most, sheet.bounds().size()); ++gathered) {
+                const Bounds next = pathOf(gathered);
+                Bounds both = all;
+                both.take(next);
+                if (both.halfSurface() > wasted * (all.halfSurface() + next.halfSurface())) break;
+                all = both;
+            }
+            gather(shape, all);
+        }
         const std::size_t first = group * SmallStepSheet::nodesOfBounds;
         const std::size_t end = std::min(first + SmallStepSheet::nodesOfBounds, sheet.size());
         for (std::size_t n = first; n < end; ++n) findNode(search, n);
@@ -149,7 +167,7 @@ void SolidContacts::find(const SmallStepSheet& sheet, const Solid& solid, std::s
 void SolidContacts::gather(const btCollisionShape& shape, const Bounds& box) {
     gathered_.clear();
     addParts(gathered_, shape, btTransform::getIdentity(), box);
-    rows_.assign(gathered_, box);
+    cells_.assign(gathered_, box);
     keptAs_.assign(gathered_.size(), notKept);
 }
 
@@ -167,9 +185,11 @@ void SolidContacts::findNode(const Search& search, std::size_t n) {
     way.grow(around);
     if (!way.meets(search.bounds)) return;
     const btScalar reach = (to - from).length();
-    rows_.forEach(way, [&](std::size_t i) {
+    const btScalar farthest = around + reach;
+    cells_.forEach(way, [&](std::size_t i) {
+        if (gathered_[i].bounds.squaredDistance(from) > farthest * farthest) return;
         const SurfacePoint surface = nearestOn(gathered_[i], from, body_->m_worldInfo->m_sparsesdf);
-        if (!(surface.distance <= around + reach)) return;
+        if (!(surface.distance <= farthest)) return;
         if (keptAs_[i] == notKept) {
             keptAs_[i] = parts_.size();
             parts_.push_back(gathered_[i]);
@@ -203,28 +223,46 @@ void SolidContacts::gatherNodes() {
 void SolidContacts::choose(NodeContacts& of, const btVector3& position,
                            const std::vector<btTransform>& poses) {
     chosen_.clear();
-    if (sights_.size() > 1)
-        std::sort(sights_.begin(), sights_.end(), [](const Sight& a, const Sight& b) {
-            return a.distance != b.distance ? a.distance < b.distance : a.candidate < b.candidate;
-        });
-    for (Sight& sight : sights_) {
-        if (chosen_.size() == maxContacts) break;
-        if (chosen_.empty() || rises(sight, position, poses)) chosen_.push_back(sight);
+    const auto isNearer = [](const Sight& a, const Sight& b) {
+        return a.distance != b.distance ? a.distance < b.distance : a.candidate < b.candidate;
+    };
+    if (!sights_.empty()) {
+        std::iter_swap(sights_.begin(), std::min_element(sights_.begin(), sights_.end(), isNearer));
+        chosen_.push_back(sights_.front());
+        const auto end = removeBelowPlane(position, poses);
+        std::sort(sights_.begin() + 1, end, isNearer);
+        for (auto sight = sights_.begin() + 1; sight != end && chosen_.size() < maxContacts; ++sight)
+            if (rises(*sight, position, poses)) chosen_.push_back(*sight);
     }
     of.contacts = chosen_.size();
 }
 
-// Whether a part rises above the plane of the nearest one. Of a triangle the plane in which it lies then counts, if the
-// node may come to it: beyond its edges that plane does not belong to the surface.
+// Of the other parts, mostly few rise above the plane of the nearest one.
+// @return the end of those
+std::vector<SolidContacts::Sight>::iterator SolidContacts::removeBelowPlane(
+    const btVector3& position, const std::vector<btTransform>& poses) {
+    const Sight& nearest = chosen_.front();
+    std::size_t solid = notKept;  // of which these are
+    btVector3 normal(0, 0, 0);
+    btScalar height = 0;
+    return std::remove_if(sights_.begin() + 1, sights_.end(), [&](const Sight& other) {
+        const Candidate& candidate = candidates_[other.candidate];
+        if (std::exchange(solid, candidate.touching) != candidate.touching) {
+            const btTransform& pose = poses[candidate.touching];
+            normal = nearest.normal * pose.getBasis();
+            height = nearest.normal.dot(pose.getOrigin() - position) + nearest.distance;
+        }
+        return !risesAbove(parts_[candidate.part].farthestAlong(normal) + height, margin_);
+    });
+}
+
+// Whether that part counts. Of a triangle the plane in which it lies then does, if the node may come to it: beyond its
+// edges that plane does not belong to the surface.
 bool SolidContacts::rises(Sight& other, const btVector3& position,
                           const std::vector<btTransform>& poses) const {
-    const Sight& nearest = chosen_.front();
     const Candidate& candidate = candidates_[other.candidate];
     const SolidPart& part = parts_[candidate.part];
     const btTransform& pose = poses[candidate.touching];
-    const btScalar top = part.farthestAlong(nearest.normal * pose.getBasis()) +
-                         nearest.normal.dot(pose.getOrigin() - position) + nearest.distance;
-    if (!risesAbove(top, margin_)) return false;
     if (part.convex) return true;
     const btVector3 local = pose.invXform(position);
     const btVector3 normal = normalOfTriangle(part.corners, local);

@@ -9,7 +9,7 @@
 #include "bullet/contact/contact_law.h"
 #include "bullet/contact/friction.h"
 #include "bullet/contact/near_solids.h"
-#include "bullet/contact/parts_in_rows.h"
+#include "bullet/contact/parts_in_cells.h"
 #include "bullet/contact/solid_distance.h"
 #include "bullet/contact/solids.h"
 #include "bullet/small_steps/small_step_sheet.h"
@@ -113,6 +113,8 @@ class SolidContacts {
     // Chooses the planes of a node among the parts in `sights_`.
     // @param poses  of the touching solids
     void choose(NodeContacts& of, const btVector3& position, const std::vector<btTransform>& poses);
+    std::vector<Sight>::iterator removeBelowPlane(const btVector3& position,
+                                                  const std::vector<btTransform>& poses);
     bool rises(Sight& other, const btVector3& position, const std::vector<btTransform>& poses) const;
     void writeContacts(const NodeContacts& of, const btVector3& position,
                        const std::vector<btTransform>& poses, SmallStepSheet& sheet, const Solids& solids);
@@ -149,7 +151,7 @@ class SolidContacts {
     std::vector<Plane> planes_;  // at the same index
     // For use within functions.
     std::vector<SolidPart> gathered_;
-    PartsInRows rows_;                 // of gathered_
+    PartsInCells cells_;               // of gathered_
     std::vector<std::size_t> keptAs_;  // index in parts_ of each of gathered_
     std::vector<Sight> sights_, chosen_;
     std::vector<Contact> contactsBefore_;  // of a node, while its planes are found again

@@ -29,6 +29,18 @@ struct Bounds {
         return (high.x() >= other.low.x()) & (low.x() <= other.high.x()) & (high.y() >= other.low.y()) &
                (low.y() <= other.high.y()) & (high.z() >= other.low.z()) & (low.z() <= other.high.z());
     }
+    // Of a point from the box, m2.
+    btScalar squaredDistance(const btVector3& point) const {
+        btVector3 apart = low - point;
+        apart.setMax(point - high);
+        apart.setMax({0, 0, 0});
+        return apart.length2();
+    }
+    // Half of its surface, m2.
+    btScalar halfSurface() const {
+        const btVector3 size = high - low;
+        return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
+    }
     btScalar halfDiagonal() const { return (high - low).length() / 2; }
     // The box around this one in the coordinates of a frame.
     Bounds seenFrom(const btTransform& frame) const {
