@@ -295,6 +295,7 @@ void SolidContacts::writeContacts(const NodeContacts& of, const btVector3& posit
         contact.touched = false;
         contact.pushed = 0;
         std::fill(contact.dragged, contact.dragged + 3, 0.0f);
+        contact.isDragged = false;
         contact.friction = float(sheetFriction_->friction(touching.surface, of.node));
         // A face of the cloth adheres only once.
         const bool isFirstOfFace = i == 0 || chosen_.front().normal.dot(sight.normal) <= otherFace;
@@ -348,6 +349,21 @@ void SolidContacts::solve(SmallStepSheet& sheet, Solids& solids) {
     for (NodeContacts& of : nodes_) solveNode(of, sheet, solids);
 }
 
+// Of a node along a solid in the small step, and how much both yield to a force along it, 1/kg.
+inline SolidContacts::Slip SolidContacts::slipOf(std::size_t contact, SmallStepSheet& sheet, std::size_t n,
+                                                 const Solid& solid, const btVector3& normal) const {
+    Slip slip;
+    slip.along = sheet.step(n);
+    if (!solid.isStill()) slip.along -= solid.step(planes_[contact].arm);
+    slip.along = alongSurface(slip.along, normal);
+    slip.length = slip.along.length();
+    slip.giving = btScalar(sheet.moved(n).inverseMass);
+    // A solid that can rotate yields more to a tangential force than to a normal one.
+    if (slip.length > 0 && solid.isMovable())
+        slip.giving += solid.response(planes_[contact].arm, slip.along / slip.length);
+    return slip;
+}
+
 void SolidContacts::carry(SmallStepSheet& sheet, Solids& solids) {
     for (const NodeContacts& of : nodes_)
         for (std::size_t i = of.firstContact; i < of.firstContact + of.contacts; ++i) {
@@ -363,7 +379,9 @@ void SolidContacts::carry(SmallStepSheet& sheet, Solids& solids) {
             const btScalar more = std::max(depth, btScalar(0)) / response;
             contact.pushed += float(more);
             const btScalar most = lawOf(contact, sheet).maxFriction(btScalar(contact.pushed));
-            const btVector3 push = normal * more + rub(contact, i, sheet, of.node, solid, normal, most);
+            const btVector3 push =
+                normal * more + rub(contact, slipOf(i, sheet, of.node, solid, normal), most);
+            contact.isDragged = true;
             shift(node, push * btScalar(node.inverseMass));
             if (!solid.isStill()) solid.push(planes_[i].arm, -push);
         }
@@ -467,6 +485,7 @@ void SolidContacts::goOn(std::size_t contact, btScalar depth) {
         if (before.pushed > now.pushed) {
             now.pushed = before.pushed;
             std::copy(before.dragged, before.dragged + 3, now.dragged);
+            now.isDragged = before.isDragged;
         }
         now.adheres = now.adhesion > 0 && (now.adheres || before.adheres);
         plane.rest = std::max(plane.rest, std::min(planesBefore_[i].rest, depth));
@@ -513,22 +532,12 @@ SurfacePoint SolidContacts::nearestOf(const NodeContacts& of, std::size_t touchi
     return nearest;
 }
 
-// Friction against the slip of a node in the small step, together with what `carry` has applied in it.
+// Friction together with what `carry` has applied in this small step.
 // @return what is to be added to that, kg m
-btVector3 SolidContacts::rub(Contact& contact, std::size_t index, SmallStepSheet& sheet, std::size_t n,
-                             const Solid& solid, const btVector3& normal, btScalar most) const {
-    btVector3 slip = sheet.step(n);
-    if (!solid.isStill()) slip -= solid.step(planes_[index].arm);
-    slip = alongSurface(slip, normal);
-    const btScalar length = slip.length();
+btVector3 SolidContacts::rub(Contact& contact, const Slip& slip, btScalar most) {
     const btVector3 before = vector(contact.dragged);
     btVector3 all = before;
-    if (length > 0) {
-        // A solid that can rotate yields more to a tangential force than to a normal one.
-        btScalar giving = btScalar(sheet.moved(n).inverseMass);
-        if (solid.isMovable()) giving += solid.response(planes_[index].arm, slip / length);
-        all -= slip / giving;
-    }
+    if (slip.length > 0) all -= slip.along / slip.giving;
     const btScalar needed = all.length();
     if (needed > most) all *= std::max(most, btScalar(0)) / needed;
     for (int axis = 0; axis < 3; ++axis) contact.dragged[axis] = float(all[axis]);
@@ -546,9 +555,15 @@ void SolidContacts::hold(std::size_t contact, SmallStepSheet& sheet, std::size_t
     const auto before = btScalar(std::exchange(holding.pushed, 0.0f));
     if (depth > 0 || before > 0) sheet.setCarried(n);
     const btScalar push = law.push(before + depth / (inverseMass + btScalar(holding.response)));
-    const btVector3 total =
-        normal * (push - before) + rub(holding, contact, sheet, n, solid, normal, law.maxFriction(push));
-    std::fill(holding.dragged, holding.dragged + 3, 0.0f);
+    const btScalar most = law.maxFriction(push);
+    const Slip slip = slipOf(contact, sheet, n, solid, normal);
+    btVector3 total = normal * (push - before);
+    if (holding.isDragged) {
+        total += rub(holding, slip, most);
+        std::fill(holding.dragged, holding.dragged + 3, 0.0f);
+        holding.isDragged = false;
+    } else if (slip.length > 0)
+        total -= drag(slip.along, slip.length, slip.length / slip.giving, most);
     shift(node, total * inverseMass);
     if (!solid.isStill()) solid.push(planes_[contact].arm, -total);
 }

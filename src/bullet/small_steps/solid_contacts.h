@@ -86,6 +86,7 @@ class SolidContacts {
         std::uint32_t solid;  // index
         bool adheres;
         bool touched;
+        bool isDragged;  // whether `carry` has applied friction in this small step
     };
     // Data that only few contacts need, at the same index.
     struct Plane {
@@ -133,8 +134,13 @@ class SolidContacts {
     // Whether the node reaches the solid of a contact in the small step; the plane is then that of the place.
     bool reaches(const NodeContacts& of, std::size_t contact, SmallStepSheet& sheet, const Solid& solid);
     SurfacePoint nearestOf(const NodeContacts& of, std::size_t touching, const btVector3& point) const;
-    btVector3 rub(Contact& contact, std::size_t index, SmallStepSheet& sheet, std::size_t n,
-                  const Solid& solid, const btVector3& normal, btScalar most) const;
+    struct Slip {
+        btVector3 along;          // m
+        btScalar length, giving;  // m and 1/kg
+    };
+    Slip slipOf(std::size_t contact, SmallStepSheet& sheet, std::size_t n, const Solid& solid,
+                const btVector3& normal) const;
+    static btVector3 rub(Contact& contact, const Slip& slip, btScalar most);
     static ContactLaw lawOf(const Contact& contact, const SmallStepSheet& sheet);
     void hold(std::size_t contact, SmallStepSheet& sheet, std::size_t n, Solid& solid, btScalar depth);
 
