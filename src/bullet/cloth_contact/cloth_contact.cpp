@@ -309,11 +309,13 @@ void ContactStep::settle(ClothContact& contact) const {
     const Eigen::Vector3f moved =
         contact.apart() - contact.before - (contact.referenceApart() - contact.referenceBefore);
     const float pulledBack = std::min(contact.notSettled, -contact.normal.dot(moved));
-    if (!(pulledBack > 0)) return;
+    if (!(pulledBack > 0 && contact.response > 0)) return;
     contact.notSettled -= pulledBack;
-    const std::array<float, 4> shares = sharesOf(contact);
-    for (std::size_t i = 0; i < 4; ++i)
-        shift(*contact.reference[i], contact.normal * (-pulledBack * shares[i]));
+    for (std::size_t i = 0; i < 4; ++i) {
+        const float share =
+            contact.weights[static_cast<int>(i)] * contact.moved[i]->inverseMass / contact.response;
+        shift(*contact.reference[i], contact.normal * (-pulledBack * share));
+    }
 }
 
 void ContactStep::finish(ClothContact& contact) const {
