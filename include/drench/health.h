@@ -19,6 +19,8 @@ struct StepTimes {
     double contacts = 0;  ///< with solids and sheets; without a SmallStepSolver only friction and adhesion
     double solver = 0;    ///< links, bending and motion in small steps; 0 without a SmallStepSolver
     std::int64_t substeps = 0;  ///< number of Bullet's substeps
+    /// The part of `contacts` that is with the sheet itself and with other cloth; 0 without a SmallStepSolver.
+    double clothContacts = 0;
 };
 
 inline namespace DRENCH_BULLET_NAMESPACE {

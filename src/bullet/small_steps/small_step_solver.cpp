@@ -169,6 +169,7 @@ struct SmallStepSolver::State {
     void finish(btScalar substep);
     // Adds up computing time that sheets share.
     void share(double StepTimes::*stage, double seconds);
+    void shareClothContacts(double seconds);
 
     const SmallStepSettings settings;
     std::vector<MovingSolid> movers;
@@ -335,7 +336,7 @@ void SmallStepSolver::State::begin(btScalar substep) {
     for (const Solving& each : sheets) beginSheet(each);
     watch.lap();
     surfaceContacts.begin(meetingSheets, double(substep), steps);
-    share(&StepTimes::contacts, watch.lap());
+    shareClothContacts(watch.lap());
 }
 
 void SmallStepSolver::State::beginSheet(const Solving& each) {
@@ -350,8 +351,9 @@ void SmallStepSolver::State::beginSheet(const Solving& each) {
 void SmallStepSolver::State::smallStep(double smallStepOfWorld) {
     StopWatch watch;
     solids.advance(smallStepOfWorld);
-    surfaceContacts.beginStep();
     share(&StepTimes::contacts, watch.lap());
+    surfaceContacts.beginStep();
+    shareClothContacts(watch.lap());
     for (const Solving& each : sheets) {
         each.sheet->cloth.advance();
         each.sheet->cloth.solveCloth();
@@ -366,7 +368,7 @@ void SmallStepSolver::State::smallStep(double smallStepOfWorld) {
         each.mechanics->times.contacts += watch.lap();
     }
     surfaceContacts.endStep();
-    share(&StepTimes::contacts, watch.lap());
+    shareClothContacts(watch.lap());
 }
 
 // Solids take part in between, so that cloth that lies on a solid carries what lies on it.
@@ -384,7 +386,7 @@ void SmallStepSolver::State::meetCloth() {
         carry();
         if (surfaceContacts.solve(sweep % 2 == 0) < settled && sweep + 1 >= fewest) break;
     }
-    share(&StepTimes::contacts, watch.lap());
+    shareClothContacts(watch.lap());
 }
 
 void SmallStepSolver::State::finish(btScalar substep) {
@@ -405,12 +407,18 @@ void SmallStepSolver::State::finish(btScalar substep) {
         each.mechanics->times.contacts += watch.lap();
     }
     solids.finish(sheets[0].body->m_worldInfo->m_dispatcher);
-    surfaceContacts.finish();
     share(&StepTimes::contacts, watch.lap());
+    surfaceContacts.finish();
+    shareClothContacts(watch.lap());
 }
 
 void SmallStepSolver::State::share(double StepTimes::*stage, double seconds) {
     for (const Solving& each : sheets) each.mechanics->times.*stage += seconds / double(sheets.size());
+}
+
+void SmallStepSolver::State::shareClothContacts(double seconds) {
+    share(&StepTimes::contacts, seconds);
+    share(&StepTimes::clothContacts, seconds);
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -193,6 +193,47 @@ TEST(ClothFold, LiesInTwoLayersAndRests) {
     EXPECT_NEAR(sum / count - margin, 2 * margin, 0.05 * 2 * margin);
 }
 
+// How far a sheet slides in a second on a fixed sheet that is inclined by an angle, degrees; bulging by so much per square
+// metre, 1/m.
+double slideOnASlope(double degrees, double bulge) {
+    const double angle = degrees * 3.14159265 / 180;
+    test::SmallStepWorld rig;
+    rig.setGravity({btScalar(9.81 * std::sin(angle)), btScalar(-9.81 * std::cos(angle)), 0});
+    auto slope = test::levelSheet(rig.info(), fabrics::cottonPlain(), 0.6, 17, 0);
+    for (int n = 0; n < slope->m_nodes.size(); ++n) {
+        btSoftBody::Node& node = slope->m_nodes[n];
+        node.m_im = 0;
+        node.m_x.setY(btScalar(-bulge) * node.m_x.length2());
+        node.m_q = node.m_x;
+    }
+    btSoftBody& lower = rig.add(std::move(slope));
+    auto sheet = test::levelSheet(rig.info(), fabrics::cottonPlain(), 0.3, 9, 0);
+    sheet->transform(btTransform(btQuaternion({0, 1, 0}, btScalar(0.25)),
+                                 {btScalar(0.02), btScalar(0.02), btScalar(0.01)}));
+    btSoftBody& upper = rig.add(std::move(sheet));
+    for (btSoftBody* const each : {&lower, &upper}) {
+        each->m_cfg.kDF = btScalar(0.25);
+        rig.cover(*each, fabrics::cottonPlain(), test::withoutAir());
+    }
+    const auto place = [&upper] {
+        btScalar sum = 0;
+        for (int n = 0; n < upper.m_nodes.size(); ++n) sum += upper.m_nodes[n].m_x.x();
+        return double(sum) / upper.m_nodes.size();
+    };
+    rig.run(0.5);
+    const double before = place();
+    rig.run(1);
+    return place() - before;
+}
+
+// Coulomb: it slides where the slope is steeper than atan 0.25, which is 14.04 degrees.
+TEST(ClothOnCloth, SticksUpToItsFrictionAndThenSlides) {
+    EXPECT_NEAR(slideOnASlope(0, 0), 0, 1e-5);
+    EXPECT_NEAR(slideOnASlope(13.5, 0), 0, 1e-5);
+    EXPECT_NEAR(slideOnASlope(5, 1), 0, 1e-5) << "on a bulge";
+    EXPECT_GT(slideOnASlope(15, 0), 0.02);
+}
+
 TEST(ClothFold, PassesThroughItselfOnlyIfSaidSo) {
     test::SmallStepWorld rig;
     rig.bullet().addGround(0);
