@@ -27,27 +27,29 @@ class LeafExtents {
     void make(const SurfaceTree& cloth, const SurfaceTree::Leaf& leaf);
 
     // Calls a function with each face, or edge, whose box is within a distance of a box.
+    // @param skipped  of which faces or edges of the leaf not, one bit each
     template <typename Function>
     void forFacesNear(const Eigen::Array3f& low, const Eigen::Array3f& high, float distance,
-                      Function function) const {
-        forEachNear(faces_, firstFace_, low, high, distance, function);
+                      SurfaceTree::Bits skipped, Function function) const {
+        forEachNear(faces_, firstFace_, low, high, distance, skipped, function);
     }
     template <typename Function>
     void forEdgesNear(const Eigen::Array3f& low, const Eigen::Array3f& high, float distance,
-                      Function function) const {
+                      SurfaceTree::Bits skipped, Function function) const {
         for (int block = 0; block < edgeBlocks_; ++block)
             forEachNear(edges_[static_cast<std::size_t>(block)], firstEdge_ + 8 * block, low, high, distance,
-                        function);
+                        skipped >> (8 * block), function);
     }
 
   private:
     template <typename Function>
     static void forEachNear(const EightBoxes& boxes, int first, const Eigen::Array3f& low,
-                            const Eigen::Array3f& high, float distance, Function function) {
+                            const Eigen::Array3f& high, float distance, SurfaceTree::Bits skipped,
+                            Function function) {
         const Eigen::Array<float, 8, 1> distances = boxes.distances(low, high);
         if (!(distances.minCoeff() <= distance)) return;
         for (int lane = 0; lane < 8; ++lane)
-            if (distances[lane] <= distance) function(first + lane);
+            if (distances[lane] <= distance && (skipped >> lane & 1) == 0) function(first + lane);
     }
 
     int firstFace_ = 0, firstEdge_ = 0, edgeBlocks_ = 0;

@@ -45,6 +45,7 @@ void NearPairs::begin(const SurfaceTree& cloth, const SurfaceTree& other, const 
     other_ = &other;
     offset_ = offset;
     near_ = near;
+    deviation_ = cloth.deviation() + other.deviation();
     ofCloth_.renew(cloth);
     if (&cloth != &other) ofOther_.renew(other);
     nodes_.clear();
@@ -82,15 +83,30 @@ void NearPairs::within(int branch) {
     between(of.children[0], of.children[1]);
 }
 
-bool NearPairs::areApart(const Box& box, const Box& other) const {
+bool NearPairs::areApart(const Box& box, const Box& other, float near) const {
     const Eigen::Array3f shift = offset_.array();
-    return (box.low > other.high + shift + near_.ofFaces || box.high + near_.ofFaces < other.low + shift)
-        .any();
+    return (box.low > other.high + shift + near || box.high + near < other.low + shift).any();
+}
+
+// How far anything in one box may move towards anything in the other, m.
+float NearPairs::approach(const Box& box, const Box& other) const {
+    const Eigen::Array3f farthest =
+        (box.highWay - other.lowWay).abs().max((box.lowWay - other.highWay).abs());
+    return std::min(farthest.matrix().norm() + deviation_, near_.farthest);
+}
+
+// The same of a node towards any of a few nodes, or what is between them.
+float NearPairs::approach(const Eigen::Vector3f& way, const SurfaceTree& other, const int* nodes,
+                          int count) const {
+    float farthest = 0;
+    for (int i = 0; i < count; ++i)
+        farthest = std::max(farthest, (way - at(other.ways(), nodes[i])).squaredNorm());
+    return std::min(std::sqrt(farthest) + deviation_, near_.farthest);
 }
 
 void NearPairs::between(int branch, int other) {
     const Box &box = at(cloth_->boxes(), branch), &otherBox = at(other_->boxes(), other);
-    if (areApart(box, otherBox)) return;
+    if (areApart(box, otherBox, near_.ofFaces + approach(box, otherBox))) return;
     const SurfaceTree::Branch &one = at(cloth_->branches(), branch), &two = at(other_->branches(), other);
     if (one.leaf >= 0 && two.leaf >= 0) {
         if (!isSkipped(branch, other)) betweenLeaves(branch, other);
@@ -114,14 +130,18 @@ bool NearPairs::isSkipped(int branch, int other) const {
 
 void NearPairs::betweenLeaves(int branch, int other) {
     const int leaf = at(cloth_->branches(), branch).leaf, otherLeaf = at(other_->branches(), other).leaf;
-    const Side one = {cloth_, &at(cloth_->leaves(), leaf), &at(cloth_->boxes(), branch), &ofCloth_.of(leaf)};
+    const Side one = {cloth_, leaf, &at(cloth_->leaves(), leaf), &at(cloth_->boxes(), branch),
+                      &ofCloth_.of(leaf)};
     LeafCache& others = cloth_ == other_ ? ofCloth_ : ofOther_;
-    const Side two = {other_, &at(other_->leaves(), otherLeaf), &at(other_->boxes(), other),
+    const Side two = {other_, otherLeaf, &at(other_->leaves(), otherLeaf), &at(other_->boxes(), other),
                       &others.of(otherLeaf)};
-    nodesNearFaces(one, two, offset_, nodes_);
-    nodesNearFaces(two, one, -offset_, nodesOfOther_);
+    const float most = approach(*one.box, *two.box);
+    nodesNearFaces(one, two, offset_, most, nodes_);
+    nodesNearFaces(two, one, -offset_, most, nodesOfOther_);
+    if (areApart(*one.box, *two.box, near_.ofEdges + most)) return;
     const bool onlyBorders = areLevel(branch, other);
-    if (!onlyBorders || one.leaf->hasBorder || two.leaf->hasBorder) edgesNearEdges(one, two, onlyBorders);
+    if (!onlyBorders || one.leaf->hasBorder || two.leaf->hasBorder)
+        edgesNearEdges(one, two, most, onlyBorders);
 }
 
 // Level layers are kept apart by their nodes, except at the border of the cloth: an edge that comes nearer than the
@@ -138,10 +158,11 @@ bool NearPairs::areLevel(int branch, int other) const {
     return SurfaceTree::pointToOneSide(SurfaceTree::together(box, turned), level);
 }
 
-// @param offset  of the faces, m
+// @param offset    of the faces, m
+// @param approach  of anything in one leaf towards anything in the other, m
 void NearPairs::nodesNearFaces(const Side& ofNodes, const Side& ofFaces, const Eigen::Vector3f& offset,
-                               std::vector<NearFace>& found) const {
-    const float farthest = near_.ofFaces;
+                               float approach, std::vector<NearFace>& found) const {
+    const float farthest = near_.ofFaces + approach;
     const Eigen::Array3f low = ofFaces.box->low - farthest, high = ofFaces.box->high + farthest;
     const std::vector<Eigen::Vector3f>& positions = ofFaces.cloth->positions();
     const bool isOneCloth = ofNodes.cloth == ofFaces.cloth;
@@ -149,26 +170,30 @@ void NearPairs::nodesNearFaces(const Side& ofNodes, const Side& ofFaces, const E
         const int node = at(ofNodes.cloth->nodes(), i);
         const Eigen::Vector3f position = at(ofNodes.cloth->positions(), node) - offset;
         if ((position.array() < low || position.array() > high).any()) continue;
-        ofFaces.extents->forFacesNear(position.array(), position.array(), farthest, [&](int f) {
-            const auto& [a, b, c] = at(ofFaces.cloth->faces(), f).nodes;
-            if (std::abs(at(ofFaces.cloth->normals(), f).dot(position - at(positions, a))) > farthest) return;
-            const auto isClose = [&](int corner) { return ofNodes.cloth->areClose(node, corner); };
-            if (isOneCloth && (isClose(a) || isClose(b) || isClose(c))) return;
+        const Eigen::Vector3f& way = at(ofNodes.cloth->ways(), node);
+        const SurfaceTree::Bits close = isOneCloth ? ofNodes.cloth->closeFaces(node, ofFaces.index) : 0;
+        ofFaces.extents->forFacesNear(position.array(), position.array(), farthest, close, [&](int f) {
+            const std::array<int, 3>& corners = at(ofFaces.cloth->faces(), f).nodes;
+            const auto& [a, b, c] = corners;
+            const float near = near_.ofFaces + this->approach(way, *ofFaces.cloth, corners.data(), 3);
+            if (std::abs(at(ofFaces.cloth->normals(), f).dot(position - at(positions, a))) > near) return;
             const NearestOnFace nearest =
                 nearestOnFace(position, at(positions, a), at(positions, b), at(positions, c));
             const float distance = nearest.apart.norm();
-            if (distance <= farthest) found.push_back({node, f, distance, nearest});
+            if (distance <= near) found.push_back({node, f, distance, nearest});
         });
     }
 }
 
-void NearPairs::edgesNearEdges(const Side& one, const Side& two, bool onlyBorders) {
+void NearPairs::edgesNearEdges(const Side& one, const Side& two, float approach, bool onlyBorders) {
     const Eigen::Array3f shift = offset_.array();
-    one.extents->forEdgesNear(two.box->low + shift, two.box->high + shift, near_.ofEdges, [&](int e) {
+    const float farthest = near_.ofEdges + approach;
+    one.extents->forEdgesNear(two.box->low + shift, two.box->high + shift, farthest, 0, [&](int e) {
         const SurfaceTree::Edge& edge = at(cloth_->edges(), e);
         const Eigen::Array3f from = at(cloth_->positions(), edge.nodes[0]).array() - shift,
                              to = at(cloth_->positions(), edge.nodes[1]).array() - shift;
-        two.extents->forEdgesNear(from.min(to), from.max(to), near_.ofEdges, [&](int o) {
+        const SurfaceTree::Bits close = cloth_ == other_ ? cloth_->closeEdges(e, two.index) : 0;
+        two.extents->forEdgesNear(from.min(to), from.max(to), farthest, close, [&](int o) {
             if (!onlyBorders || edge.isBorder() || at(other_->edges(), o).isBorder()) edgeNearEdge(e, o);
         });
     });
@@ -177,16 +202,17 @@ void NearPairs::edgesNearEdges(const Side& one, const Side& two, bool onlyBorder
 void NearPairs::edgeNearEdge(int edge, int other) {
     const std::array<int, 2>&ends = at(cloth_->edges(), edge).nodes,
                           &otherEnds = at(other_->edges(), other).nodes;
-    const auto isClose = [&](int node) {
-        return cloth_->areClose(node, otherEnds[0]) || cloth_->areClose(node, otherEnds[1]);
-    };
-    if (cloth_ == other_ && (isClose(ends[0]) || isClose(ends[1]))) return;
     const std::optional<NearestOfEdges> nearest = nearestOfEdges(
         at(cloth_->positions(), ends[0]), at(cloth_->positions(), ends[1]),
         at(other_->positions(), otherEnds[0]) + offset_, at(other_->positions(), otherEnds[1]) + offset_);
     if (!nearest) return;
     const float distance = nearest->apart.norm();
-    if (distance <= near_.ofEdges) edges_.push_back({edge, other, distance, *nearest});
+    if (distance > near_.ofEdges + near_.farthest) return;
+    const auto approachOf = [&](int end) {
+        return approach(at(cloth_->ways(), end), *other_, otherEnds.data(), 2);
+    };
+    if (distance <= near_.ofEdges + std::max(approachOf(ends[0]), approachOf(ends[1])))
+        edges_.push_back({edge, other, distance, *nearest});
 }
 
 }  // namespace drench

@@ -1,4 +1,4 @@
-// Finds the nodes and faces, and the pairs of edges, of two clothes or of one that are near each other.
+// Finds the nodes and faces, and the pairs of edges, of two clothes or of one that are near each other, or come near.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,6 +29,7 @@ class NearPairs {
   public:
     struct Distances {
         float ofFaces, ofEdges;  // of what is near, m
+        float farthest;  // from which something comes near that is looked for, beyond those distances, m
     };
 
     // Of two clothes. @param offset  of the origin of the other from that of this one, m
@@ -52,25 +53,29 @@ class NearPairs {
     void within(int branch);
     void between(int branch, int other);
     void betweenLeaves(int leaf, int other);
-    bool areApart(const Box& box, const Box& other) const;
+    bool areApart(const Box& box, const Box& other, float near) const;
+    float approach(const Box& box, const Box& other) const;
+    float approach(const Eigen::Vector3f& way, const SurfaceTree& other, const int* nodes, int count) const;
     bool isSkipped(int branch, int other) const;
     bool areLevel(int branch, int other) const;
     // A leaf of one of both.
     struct Side {
         const SurfaceTree* cloth;
+        int index;
         const SurfaceTree::Leaf* leaf;
         const Box* box;
         const LeafExtents* extents;
     };
     void nodesNearFaces(const Side& ofNodes, const Side& ofFaces, const Eigen::Vector3f& offset,
-                        std::vector<NearFace>& found) const;
-    void edgesNearEdges(const Side& one, const Side& two, bool onlyBorders);
+                        float approach, std::vector<NearFace>& found) const;
+    void edgesNearEdges(const Side& one, const Side& two, float approach, bool onlyBorders);
     void edgeNearEdge(int edge, int other);
 
     const SurfaceTree* cloth_ = nullptr;
     const SurfaceTree* other_ = nullptr;
     Eigen::Vector3f offset_ = Eigen::Vector3f::Zero();
-    Distances near_ = {0, 0};
+    Distances near_ = {0, 0, 0};
+    float deviation_ = 0;  // of both from their ways, m
     std::vector<NearFace> nodes_, nodesOfOther_;
     std::vector<NearEdges> edges_;
 

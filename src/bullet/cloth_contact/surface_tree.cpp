@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -72,7 +73,7 @@ CompressedRows<int> sortedRows(std::vector<std::vector<int>>& rows) {
 
 SurfaceTree::SurfaceTree(const std::vector<std::array<int, 3>>& triangles, std::size_t nodes,
                          const std::vector<Corners>& corners, float distance)
-    : positions_(nodes, Eigen::Vector3f::Zero()) {
+    : positions_(nodes, Eigen::Vector3f::Zero()), ways_(positions_) {
     std::vector<Eigen::Vector3f> places;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         faces_.push_back({triangles[t], static_cast<int>(t)});
@@ -85,6 +86,8 @@ SurfaceTree::SurfaceTree(const std::vector<std::array<int, 3>>& triangles, std::
     giveNodesAndEdgesToLeaves();
     findCloseNodes(corners, distance);
     findAdjacentLeaves();
+    findCloseFaces();
+    findCloseEdges();
 }
 
 int SurfaceTree::makeBranch(std::vector<Face>& faces, std::size_t first, std::size_t end,
@@ -231,6 +234,51 @@ void SurfaceTree::findAdjacentLeaves() {
     adjacent_ = sortedRows(adjacent);
 }
 
+void SurfaceTree::findCloseFaces() {
+    std::vector<std::vector<std::pair<int, Bits>>> facesOf(positions_.size());  // leaf, and bit in it
+    for (std::size_t l = 0; l < leaves_.size(); ++l)
+        for (int f = leaves_[l].firstFace; f < leaves_[l].endFace; ++f)
+            for (const int node : faces_[static_cast<std::size_t>(f)].nodes)
+                facesOf[static_cast<std::size_t>(node)].emplace_back(static_cast<int>(l),
+                                                                     Bits(1) << (f - leaves_[l].firstFace));
+    std::map<int, Bits> row;
+    closeFaces_ = {positions_.size(), [&](const auto& add) {
+                       for (std::size_t node = 0; node < positions_.size(); ++node) {
+                           row.clear();
+                           for (const int other : close_[node])
+                               for (const auto& [leaf, bit] : facesOf[static_cast<std::size_t>(other)])
+                                   row[leaf] |= bit;
+                           for (const auto& [leaf, bits] : row) add(node, OfLeaf{leaf, bits});
+                       }
+                   }};
+}
+
+void SurfaceTree::findCloseEdges() {
+    std::vector<std::vector<std::pair<int, Bits>>> edgesOf(positions_.size());
+    for (std::size_t l = 0; l < leaves_.size(); ++l)
+        for (int e = leaves_[l].firstEdge; e < leaves_[l].endEdge; ++e)
+            for (const int node : edges_[static_cast<std::size_t>(e)].nodes)
+                edgesOf[static_cast<std::size_t>(node)].emplace_back(static_cast<int>(l),
+                                                                     Bits(1) << (e - leaves_[l].firstEdge));
+    std::map<int, Bits> row;
+    closeEdges_ = {edges_.size(), [&](const auto& add) {
+                       for (std::size_t edge = 0; edge < edges_.size(); ++edge) {
+                           row.clear();
+                           for (const int end : edges_[edge].nodes)
+                               for (const int other : close_[static_cast<std::size_t>(end)])
+                                   for (const auto& [leaf, bit] : edgesOf[static_cast<std::size_t>(other)])
+                                       row[leaf] |= bit;
+                           for (const auto& [leaf, bits] : row) add(edge, OfLeaf{leaf, bits});
+                       }
+                   }};
+}
+
+SurfaceTree::Bits SurfaceTree::bitsOf(const CompressedRows<OfLeaf>& rows, int row, int leaf) {
+    for (const OfLeaf& of : rows[static_cast<std::size_t>(row)])
+        if (of.leaf == leaf) return of.bits;
+    return 0;
+}
+
 bool SurfaceTree::areClose(int node, int other) const {
     const auto row = close_[static_cast<std::size_t>(node)];
     return std::binary_search(row.begin(), row.end(), other);
@@ -255,9 +303,13 @@ bool SurfaceTree::areOneSidedNeighbours(int leaf, int other) const {
     return areNeighbours && isOneSided(box);
 }
 
-void SurfaceTree::follow(const MovingNode* start, const MovingNode* moved) {
-    for (std::size_t n = 0; n < positions_.size(); ++n)
+void SurfaceTree::follow(const MovingNode* start, const MovingNode* moved, const Motion& motion) {
+    deviation_ = motion.deviation;
+    for (std::size_t n = 0; n < positions_.size(); ++n) {
         positions_[n] = {start[n].x + moved[n].x, start[n].y + moved[n].y, start[n].z + moved[n].z};
+        const MovingNode& step = motion.perStep[n];
+        ways_[n] = Eigen::Vector3f(step.x, step.y, step.z) * motion.steps;
+    }
     constexpr float tiny = 1e-30f;
     for (std::size_t f = 0; f < faces_.size(); ++f) {
         const auto& [a, b, c] = faces_[f].nodes;
@@ -277,8 +329,8 @@ void SurfaceTree::follow(const MovingNode* start, const MovingNode* moved) {
 SurfaceTree::Box SurfaceTree::boxOf(const Leaf& leaf) const {
     constexpr float far = std::numeric_limits<float>::infinity();
     Box box;
-    box.low = box.lowNormal = Eigen::Array3f::Constant(far);
-    box.high = box.highNormal = Eigen::Array3f::Constant(-far);
+    box.low = box.lowNormal = box.lowWay = Eigen::Array3f::Constant(far);
+    box.high = box.highNormal = box.highWay = Eigen::Array3f::Constant(-far);
     for (int f = leaf.firstFace; f < leaf.endFace; ++f) {
         const auto face = static_cast<std::size_t>(f);
         box.lowNormal = box.lowNormal.min(normals_[face].array());
@@ -286,13 +338,19 @@ SurfaceTree::Box SurfaceTree::boxOf(const Leaf& leaf) const {
         for (const int node : faces_[face].nodes) {
             box.low = box.low.min(positions_[static_cast<std::size_t>(node)].array());
             box.high = box.high.max(positions_[static_cast<std::size_t>(node)].array());
+            box.lowWay = box.lowWay.min(ways_[static_cast<std::size_t>(node)].array());
+            box.highWay = box.highWay.max(ways_[static_cast<std::size_t>(node)].array());
         }
     }
     return box;
 }
 
 SurfaceTree::Box SurfaceTree::together(const Box& one, const Box& other) {
-    return {one.low.min(other.low), one.high.max(other.high), one.lowNormal.min(other.lowNormal),
+    return {one.low.min(other.low),
+            one.high.max(other.high),
+            one.lowWay.min(other.lowWay),
+            one.highWay.max(other.highWay),
+            one.lowNormal.min(other.lowNormal),
             one.highNormal.max(other.highNormal)};
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "bullet/simd/nodes.h"
@@ -29,6 +30,7 @@ class SurfaceTree {
     };
     struct Box {
         Eigen::Array3f low, high;              // m
+        Eigen::Array3f lowWay, highWay;        // of the ways of nodes, m
         Eigen::Array3f lowNormal, highNormal;  // of unit normals
     };
     // A box with two smaller ones in it, or with a few faces.
@@ -53,15 +55,27 @@ class SurfaceTree {
     SurfaceTree(const std::vector<std::array<int, 3>>& triangles, std::size_t nodes,
                 const std::vector<Corners>& corners, float distance);
 
-    // Takes over the positions of the nodes: their start and their displacement, m.
-    void follow(const MovingNode* start, const MovingNode* moved);
+    // How the nodes go on: each on a straight way, and no farther from it than some distance.
+    struct Motion {
+        const MovingNode* perStep;  // m
+        float steps;
+        float deviation;  // m
+    };
+    // Takes over the positions of the nodes: their start and their displacement, m; and their ways from there.
+    void follow(const MovingNode* start, const MovingNode* moved, const Motion& motion);
 
     // Whether two nodes are neighbours, or have a way along edges that is hardly longer than the distance that contacts
     // keep. They are as near by nature, and are not to be kept apart.
     bool areClose(int node, int other) const;
+    // Faces of a leaf that have a node close to one, or edges that have one close to an end of one: one bit each.
+    using Bits = std::uint32_t;
+    Bits closeFaces(int node, int leaf) const { return bitsOf(closeFaces_, node, leaf); }
+    Bits closeEdges(int edge, int leaf) const { return bitsOf(closeEdges_, edge, leaf); }
 
     std::size_t nodeCount() const { return positions_.size(); }
     const std::vector<Eigen::Vector3f>& positions() const { return positions_; }
+    const std::vector<Eigen::Vector3f>& ways() const { return ways_; }
+    float deviation() const { return deviation_; }
     const std::vector<Face>& faces() const { return faces_; }
     const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
     const std::vector<Edge>& edges() const { return edges_; }
@@ -88,6 +102,13 @@ class SurfaceTree {
     void giveNodesAndEdgesToLeaves();
     void findCloseNodes(const std::vector<Corners>& corners, float distance);
     void findAdjacentLeaves();
+    void findCloseFaces();
+    void findCloseEdges();
+    struct OfLeaf {
+        int leaf;
+        Bits bits;
+    };
+    static Bits bitsOf(const CompressedRows<OfLeaf>& rows, int row, int leaf);
     Box boxOf(const Leaf& leaf) const;
 
     std::vector<Face> faces_;
@@ -98,7 +119,10 @@ class SurfaceTree {
     float oneSided_;                // cosine of that angle
     CompressedRows<int> adjacent_;  // leaves that have nodes that are close, itself among them
     CompressedRows<int> close_;     // nodes; both in ascending order
+    CompressedRows<OfLeaf> closeFaces_, closeEdges_;
     std::vector<Eigen::Vector3f> positions_;
+    std::vector<Eigen::Vector3f> ways_;
+    float deviation_ = 0;
     std::vector<Eigen::Vector3f> normals_;  // of the faces, of unit length
     std::vector<Box> boxes_;                // of the branches
 };

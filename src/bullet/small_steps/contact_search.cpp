@@ -66,7 +66,7 @@ void ContactSearch::find(ClothPair& pair, const MeetingCloth& one, const Meeting
     memory_ = &memory;
     memoryOfOther_ = &memoryOfOther;
     const NearPairs::Distances near = {pair.distance + beyond.ofFaces,
-                                       edgeShare * pair.distance + beyond.ofEdges};
+                                       edgeShare * pair.distance + beyond.ofEdges, beyond.farthest};
     if (&one == &other)
         near_.findWithin(*one.tree, near);
     else

@@ -23,12 +23,9 @@ struct PairContact : ClothContact {
 
 // Two cloths that are near each other, or one that may meet itself.
 struct ClothPair {
-    std::size_t one, other;   // indices of cloths; the same for a cloth with itself
-    float distance;           // sum of both margins, m
-    float friction;           // dry
-    float slack;              // how far both may move apart before contacts are found again, m
-    float deviations;         // of both when they were found; see MeetingCloth, m
-    Eigen::Vector3f between;  // way of one from that of the other then, m
+    std::size_t one, other;  // indices of cloths; the same for a cloth with itself
+    float distance;          // sum of both margins, m
+    float friction;          // dry
     std::vector<PairContact> contacts;
 };
 

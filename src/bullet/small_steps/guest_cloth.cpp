@@ -69,19 +69,6 @@ void GuestCloth::begin(const btSoftBody& body, float fraction) {
     isFirstStep_ = true;
 }
 
-btVector3 GuestCloth::meanReach() const {
-    btVector3 sum(0, 0, 0);
-    for (const MovingNode& own : own_) sum += vectorOf(own);
-    return sum / btScalar(own_.size());
-}
-
-float GuestCloth::farthestFromMean() const {
-    const btVector3 mean = meanReach();
-    btScalar farthest = 0;
-    for (const MovingNode& own : own_) farthest = std::max(farthest, (vectorOf(own) - mean).length());
-    return float(farthest);
-}
-
 void GuestCloth::advance() {
     for (std::size_t n = 0; n < moved_.size(); ++n) {
         // The node continues with the velocity that it got from impulses.

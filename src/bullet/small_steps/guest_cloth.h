@@ -31,9 +31,8 @@ class GuestCloth {
     std::vector<MovingNode>& moved() { return moved_; }
     std::vector<MovingNode>& movedBefore() { return before_; }
     const std::vector<char>& isCarried() const { return isCarried_; }
-    // Mean displacement by Bullet in the substep, and the largest difference from it, m.
-    btVector3 meanReach() const;
-    float farthestFromMean() const;
+    // Displacements by Bullet in the substep, m.
+    const std::vector<MovingNode>& own() const { return own_; }
     SurfaceTree& tree() { return *tree_; }
 
     ContactMemory memory;

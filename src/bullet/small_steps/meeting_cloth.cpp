@@ -1,41 +1,60 @@
 #include "bullet/small_steps/meeting_cloth.h"
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-void MeetingCloth::startMotion() {
+namespace {
+
+// How far a node may leave its way and is still found where it comes near; and how far it may leave it before contacts
+// are found again, as fractions of the cell. What comes nearer in between overlaps at first, on the side where it was.
+constexpr float allowed = 0.2f, missed = 0.5f;
+
+Eigen::Map<Eigen::Array4f> arrayOf(MovingNode& node) {
+    return Eigen::Map<Eigen::Array4f>(&node.x);
+}
+
+}  // namespace
+
+void MeetingCloth::startMotion(int stepsOfSubstep) {
     movedBefore.assign(moved, moved + tree->nodeCount());
-    way.setZero();
-    deviations = 0;
-    isFollowed = false;
+    stepsLeft = stepsOfWay = stepsOfSubstep;
+    expectMotion();
     followNodes();
 }
 
-// The box of the displacements tells how far any may be from their middle.
-void MeetingCloth::measureMotion() {
-    constexpr float far = std::numeric_limits<float>::infinity();
-    Eigen::Array4f low = Eigen::Array4f::Constant(far), high = -low;
-    for (std::size_t n = 0; n < movedBefore.size(); ++n) {
-        const Eigen::Map<const Eigen::Array4f> now(&moved[n].x);
-        Eigen::Map<Eigen::Array4f> before(&movedBefore[n].x);
-        const Eigen::Array4f by = now - before;
-        before = now;
-        low = low.min(by);
-        high = high.max(by);
-    }
-    meanStep = ((low + high) / 2).head<3>().matrix();
-    growth = ((high - low) / 2).head<3>().matrix().norm();
-    way += meanStep;
-    deviations += growth;
+void MeetingCloth::expectMotion() {
+    from = movedBefore;
+    waySteps = steps;
+    horizon = std::min(stepsLeft, 2 * stepsOfWay + 1);
+    stepsOfWay = 0;
     isFollowed = false;
 }
 
+bool MeetingCloth::isOnItsWay() {
+    isFollowed = false;
+    --stepsLeft;
+    ++stepsOfWay;
+    const auto next = float(stepsOfWay + 1);
+    Eigen::Array4f farthest = Eigen::Array4f::Zero();
+    for (std::size_t n = 0; n < movedBefore.size(); ++n) {
+        const auto now = arrayOf(moved[n]);
+        arrayOf(steps[n]) = now - arrayOf(movedBefore[n]);
+        arrayOf(movedBefore[n]) = now;
+        const Eigen::Array4f off = now + arrayOf(steps[n]) - arrayOf(from[n]) - arrayOf(waySteps[n]) * next;
+        farthest = farthest.max(off.abs());
+    }
+    return stepsOfWay < horizon && farthest.head<3>().matrix().norm() <= missed * cell;
+}
+
+// Those who began at another time may be off their ways by now.
 void MeetingCloth::followNodes() {
-    if (!std::exchange(isFollowed, true)) tree->follow(start, moved);
+    if (std::exchange(isFollowed, true)) return;
+    const float deviation = (stepsOfWay == 0 ? 1 : 2) * allowed * cell;
+    tree->follow(start, moved, {waySteps.data(), float(horizon - stepsOfWay), deviation});
 }
 
 }  // namespace DRENCH_BULLET_NAMESPACE

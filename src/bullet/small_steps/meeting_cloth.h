@@ -16,11 +16,16 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
+// Contacts are found for the whole substep, as each node is expected to go on: straight, within a distance. Only if one
+// leaves its way they have to be found again.
 struct MeetingCloth {
-    // To be called at the start of a substep; the tree follows.
-    void startMotion();
-    // Measures how the nodes have moved. To be called after each small step.
-    void measureMotion();
+    // To be called at the start of a substep, when the first steps are known.
+    void startMotion(int steps);
+    // Looks at how the nodes have moved. To be called after each small step.
+    // @return whether all are still on their ways after another step like this one
+    bool isOnItsWay();
+    // Expects that all nodes go on as in the last step.
+    void expectMotion();
     // Takes the tree to where the nodes are.
     void followNodes();
 
@@ -35,18 +40,21 @@ struct MeetingCloth {
     MovingNode* reference;  // see ClothContact
     const char* isCarried;
     float margin;            // m
-    float slack;             // how far nodes may deviate before contacts are found again, m
+    float cell;              // a fraction of the length of its links, or its margin, m
     float adhesiveReach;     // m; 0 if nothing adheres
     std::size_t firstIndex;  // of its nodes among those of all cloths
+    bool isMet;              // whether it is near itself or another
+    bool isOffItsWay;        // whether a node has left its way in this small step
     bool touches;            // whether a contact has acted in this small step
     bool hasTouchedOthers;   // whether one with other cloth has touched
 
-    // Since the start of the substep.
-    Eigen::Vector3f way;                  // sum of the mean displacements of the small steps, m
-    Eigen::Vector3f meanStep;             // the last of them, m
-    float deviations;                     // sum of the largest differences of any node from them, m
-    float growth;                         // the last of them, m
-    std::vector<MovingNode> movedBefore;  // displacements at the end of the last small step
+    std::vector<MovingNode> steps;  // displacements in the last small step, m; first those that are expected
+    std::vector<MovingNode> movedBefore;  // displacements at its end, m
+    std::vector<MovingNode> from;         // and where the ways begin, m
+    std::vector<MovingNode> waySteps;     // per small step, m
+    int stepsOfWay;                       // since then
+    int horizon;                          // for how many steps that is expected
+    int stepsLeft;                        // in the substep
     bool isFollowed;                      // whether the tree is where the nodes are
 };
 

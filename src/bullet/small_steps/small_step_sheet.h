@@ -73,6 +73,8 @@ class SmallStepSheet {
     const MovingNode& start(std::size_t node) const { return start_[node]; }
     // The same in world coordinates.
     btVector3 startPosition(std::size_t node) const { return origin_ + vectorOf(start_[node]); }
+    // Velocity of a node at the start of the substep, m/s.
+    const MovingNode& velocity(std::size_t node) const { return velocity_[node]; }
     // Displacement of a node in the substep if nothing held it.
     const MovingNode& reach(std::size_t node) const { return reach_[node]; }
     // Bounds of the present and possible positions of each group of nodesOfBounds consecutive nodes.

@@ -14,6 +14,17 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
+namespace {
+
+// @param factor  from a velocity, or the displacement in a substep, to that in a small step
+void setSteps(MeetingCloth& cloth, const MovingNode* motion, std::size_t count, float factor) {
+    cloth.steps.resize(count);
+    for (std::size_t n = 0; n < count; ++n)
+        cloth.steps[n] = {motion[n].x * factor, motion[n].y * factor, motion[n].z * factor, 0};
+}
+
+}  // namespace
+
 void SurfaceContacts::begin(const std::vector<Sheet>& sheets, double substep, int steps) {
     substep_ = substep;
     smallStep_ = substep / steps;
@@ -39,8 +50,11 @@ void SurfaceContacts::begin(const std::vector<Sheet>& sheets, double substep, in
     for (std::size_t c = 0; c < clothCount_; ++c) {
         cloths_[c].firstIndex = nodes;
         nodes += cloths_[c].tree->nodeCount();
-        cloths_[c].startMotion();
     }
+    for (std::size_t p = 0; p < pairCount_; ++p)
+        for (const std::size_t c : {pairs_[p].one, pairs_[p].other}) cloths_[c].isMet = true;
+    for (std::size_t c = 0; c < clothCount_; ++c)
+        if (cloths_[c].isMet) cloths_[c].startMotion(steps);
     nearest_.resize(nodes);
     for (std::size_t p = 0; p < pairCount_; ++p)
         find(pairs_[p], *cloths_[pairs_[p].one].memory, *cloths_[pairs_[p].other].memory);
@@ -49,8 +63,9 @@ void SurfaceContacts::begin(const std::vector<Sheet>& sheets, double substep, in
 
 MeetingCloth& SurfaceContacts::newCloth() {
     if (clothCount_ == cloths_.size()) cloths_.emplace_back();
-    cloths_[clothCount_].touches = cloths_[clothCount_].hasTouchedOthers = false;
-    return cloths_[clothCount_++];
+    MeetingCloth& cloth = cloths_[clothCount_++];
+    cloth.touches = cloth.hasTouchedOthers = cloth.isMet = false;
+    return cloth;
 }
 
 void SurfaceContacts::addSheet(const Sheet& sheet) {
@@ -58,7 +73,6 @@ void SurfaceContacts::addSheet(const Sheet& sheet) {
     const auto& bonds = sheet.sheetFriction->adheresToCloth;
     const bool adheres =
         std::any_of(bonds.begin(), bonds.end(), [](const btCollisionObject* to) { return to != nullptr; });
-    const auto ofSubstep = btScalar(smallStep_ / substep_);
     cloth.body = sheet.body;
     cloth.sheetFriction = sheet.sheetFriction;
     cloth.guest = nullptr;
@@ -70,11 +84,10 @@ void SurfaceContacts::addSheet(const Sheet& sheet) {
     cloth.reference = &sheet.cloth->predicted(0);
     cloth.isCarried = &sheet.cloth->isCarried(0);
     cloth.margin = float(sheet.body->getCollisionShape()->getMargin());
-    cloth.slack = std::max(cloth.margin, float(sheet.cloth->meanLink() / 4));
+    cloth.cell = std::max(cloth.margin, float(sheet.cloth->meanLink() / 4));
+    setSteps(cloth, &sheet.cloth->velocity(0), sheet.cloth->size(), float(smallStep_));
     canAdhere_ = canAdhere_ || adheres || sheet.sheetFriction->canAdhere();
     cloth.adhesiveReach = adheres ? float(sheet.sheetFriction->reach()) : 0.0f;
-    cloth.growth = float(sheet.cloth->farthestPull() * ofSubstep);
-    cloth.meanStep = toFloat(sheet.cloth->meanReach() * ofSubstep);
 }
 
 // @return its index
@@ -93,10 +106,9 @@ std::size_t SurfaceContacts::addGuest(btSoftBody& body) {
     cloth.moved = guest.moved().data();
     cloth.reference = guest.movedBefore().data();
     cloth.isCarried = guest.isCarried().data();
-    cloth.margin = cloth.slack = float(body.getCollisionShape()->getMargin());
+    cloth.margin = cloth.cell = float(body.getCollisionShape()->getMargin());
+    setSteps(cloth, guest.own().data(), guest.own().size(), ofSubstep);
     cloth.adhesiveReach = 0;
-    cloth.growth = guest.farthestFromMean() * ofSubstep;
-    cloth.meanStep = toFloat(guest.meanReach()) * ofSubstep;
     return clothCount_ - 1;
 }
 
@@ -125,23 +137,19 @@ void SurfaceContacts::addPair(std::size_t one, std::size_t other) {
     pair.contacts.clear();
 }
 
-// Whether nodes may be farther apart, after another small step like the last one, than was looked for.
-bool SurfaceContacts::isDue(const ClothPair& pair) const {
-    const MeetingCloth &one = cloths_[pair.one], &other = cloths_[pair.other];
-    const float deviations = one.deviations + other.deviations - pair.deviations + one.growth + other.growth;
-    const Eigen::Vector3f between = one.way - other.way - pair.between + one.meanStep - other.meanStep;
-    return !(deviations + between.norm() < pair.slack);
-}
-
 void SurfaceContacts::findWhatIsDue() {
-    for (std::size_t c = 0; c < clothCount_; ++c) cloths_[c].measureMotion();
     bool areAny = false;
-    for (std::size_t p = 0; p < pairCount_; ++p) {
-        if (!isDue(pairs_[p])) continue;
-        if (!std::exchange(areAny, true)) rememberBonds();
-        findAgain(pairs_[p]);
+    for (std::size_t c = 0; c < clothCount_; ++c) {
+        MeetingCloth& cloth = cloths_[c];
+        cloth.isOffItsWay = cloth.isMet && !cloth.isOnItsWay();
+        if (cloth.isOffItsWay) cloth.expectMotion();
+        areAny = areAny || cloth.isOffItsWay;
     }
-    if (areAny) updateAdhesion();
+    if (!areAny) return;
+    rememberBonds();
+    for (std::size_t p = 0; p < pairCount_; ++p)
+        if (cloths_[pairs_[p].one].isOffItsWay || cloths_[pairs_[p].other].isOffItsWay) findAgain(pairs_[p]);
+    updateAdhesion();
 }
 
 void SurfaceContacts::findAgain(ClothPair& pair) {
@@ -158,18 +166,11 @@ void SurfaceContacts::findAgain(ClothPair& pair) {
 
 void SurfaceContacts::find(ClothPair& pair, const ContactMemory& memory, const ContactMemory& memoryOfOther) {
     const MeetingCloth &one = cloths_[pair.one], &other = cloths_[pair.other];
-    pair.deviations = one.deviations + other.deviations;
-    pair.between = one.way - other.way;
-    // For what is left of the substep if it goes on like this; more would have to be looked through at once than again.
-    constexpr float more = 1.5f, least = 0.1f;
-    const float perStep = one.growth + other.growth + (one.meanStep - other.meanStep).norm();
-    const float slack = one.slack + other.slack, wanted = more * perStep * float(stepsLeft_);
-    pair.slack = std::max(std::clamp(wanted, least * slack, slack), more * perStep);
-    pair.contacts.clear();
-    // Nodes that pass each other by several cells in a small step cannot be kept apart in such steps.
-    if (!(pair.slack < 3 * slack)) return;
     const float adhesiveReach = std::max(one.adhesiveReach, other.adhesiveReach);
-    search_.find(pair, one, other, {adhesiveReach + pair.slack, pair.slack}, memory, memoryOfOther);
+    // What passes by several cells in a substep cannot be kept apart.
+    constexpr float passing = 3;
+    search_.find(pair, one, other, {adhesiveReach, 0, passing * (one.cell + other.cell)}, memory,
+                 memoryOfOther);
 }
 
 // Wet cloth adheres only by the nearest contact of each node; otherwise adhesion would count several times.

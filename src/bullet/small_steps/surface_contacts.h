@@ -20,10 +20,9 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
-// What is near is found at the start of each substep, and again once nodes have moved along each other by about the
-// margin: within that distance a contact's plane holds. Each contact is of a node with a face of cloth, or of two
-// edges where the cloth is folded or ends. It keeps the sum of both margins; edges half of that, so that level layers
-// are carried by their nodes.
+// What comes near is found at the start of each substep, from where the nodes are and how they move, and again once one
+// has left its way. Each contact is of a node with a face of cloth, or of two edges where the cloth is folded or ends.
+// It keeps the sum of both margins; edges half of that, so that level layers are carried by their nodes.
 //
 // Nodes stay on the side of the cloth where they were found; contacts remember that side as long as both are near. A
 // node that was forced through does not go deeper, but may come back.
@@ -74,7 +73,6 @@ class SurfaceContacts {
     std::size_t indexOfCloth(btSoftBody& body);
     void addPair(std::size_t one, std::size_t other);
 
-    bool isDue(const ClothPair& pair) const;
     void findWhatIsDue();
     void noteTouch(const ClothPair& pair, const PairContact& contact);
     void noteTouches();

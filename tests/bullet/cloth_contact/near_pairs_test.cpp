@@ -22,13 +22,23 @@ using Positions = std::vector<Eigen::Vector3f>;
 class Grid {
   public:
     explicit Grid(int n)
-        : n_(n), tree_(triangles(), nodes(), corners(), 1.2f), start_(nodes()), moved_(nodes()) {}
+        : n_(n),
+          tree_(triangles(), nodes(), corners(), 1.2f),
+          start_(nodes()),
+          moved_(nodes()),
+          steps_(nodes()) {}
 
     int column(int node) const { return node % n_; }
     SurfaceTree& at(const Positions& positions) {
-        for (std::size_t i = 0; i < positions.size(); ++i)
+        return at(positions, Positions(positions.size(), Eigen::Vector3f::Zero()), 0);
+    }
+    // The nodes go on by a step in each of four small steps.
+    SurfaceTree& at(const Positions& positions, const Positions& steps, float deviation) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
             start_[i] = {positions[i].x(), positions[i].y(), positions[i].z(), 0};
-        tree_.follow(start_.data(), moved_.data());
+            steps_[i] = {steps[i].x(), steps[i].y(), steps[i].z(), 0};
+        }
+        tree_.follow(start_.data(), moved_.data(), {steps_.data(), 4, deviation});
         return tree_;
     }
     Positions level() const {
@@ -61,7 +71,7 @@ class Grid {
 
     int n_;
     SurfaceTree tree_;
-    std::vector<MovingNode> start_, moved_;
+    std::vector<MovingNode> start_, moved_, steps_;
 };
 
 // A node, and the body's index of a face.
@@ -134,7 +144,7 @@ TEST(NearPairs, OfTwoCrumpledClothsAreAllThatAreNear) {
     const Eigen::Vector3f offset(1.3f, 0.2f, 0.7f);
     constexpr float near = 0.4f;
     NearPairs pairs;
-    pairs.find(one, other, offset, {near, near});
+    pairs.find(one, other, offset, {near, near, 0});
     Found expected, expectedOfOther;
     for (const SurfaceTree::Face& face : other.faces())
         for (std::size_t n = 0; n < one.nodeCount(); ++n)
@@ -149,12 +159,58 @@ TEST(NearPairs, OfTwoCrumpledClothsAreAllThatAreNear) {
     EXPECT_EQ(namesOf(pairs.nodesOfOther(), one), expectedOfOther);
 }
 
+TEST(NearPairs, OfMovingClothsAreAllThatComeNear) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> between(-1, 1);
+    constexpr float crumples = 0.5f, speeds = 0.15f, deviation = 0.05f, near = 0.3f;
+    Grid grid(9), otherGrid(9);
+    const auto vectors = [&](std::size_t count, float size) {
+        Positions all;
+        for (std::size_t i = 0; i < count; ++i)
+            all.push_back(Eigen::Vector3f(between(random), between(random), between(random)) * size);
+        return all;
+    };
+    const auto moved = [](const Positions& from, const Positions& by, float times) {
+        Positions all = from;
+        for (std::size_t i = 0; i < from.size(); ++i) all[i] += by[i] * times;
+        return all;
+    };
+    const std::size_t count = grid.level().size();
+    const Positions at = moved(grid.level(), vectors(count, 1), crumples), steps = vectors(count, speeds);
+    Positions otherAt = moved(grid.level(), vectors(count, 1), crumples), otherSteps = vectors(count, speeds);
+    for (Eigen::Vector3f& each : otherAt) each.y() += 1.2f;
+    for (Eigen::Vector3f& each : otherSteps) each.y() -= 0.2f;
+    NearPairs pairs;
+    pairs.find(grid.at(at, steps, deviation), otherGrid.at(otherAt, otherSteps, deviation),
+               Eigen::Vector3f::Zero(), {near, near, 10});
+    const auto found = [](const std::vector<NearFace>& all) {
+        std::set<std::pair<int, int>> names;
+        for (const NearFace& each : all) names.emplace(each.node, each.face);
+        return names;
+    };
+    const auto nodes = found(pairs.nodes()), nodesOfOther = found(pairs.nodesOfOther());
+    std::size_t come = 0;
+    for (const float time : {1.0f, 2.0f, 3.0f, 4.0f}) {
+        // Off their ways, as far as that is allowed.
+        const Positions off = vectors(count, deviation / 2), otherOff = vectors(count, deviation / 2);
+        const SurfaceTree &one = grid.at(moved(moved(at, steps, time), off, 1)),
+                          &other = otherGrid.at(moved(moved(otherAt, otherSteps, time), otherOff, 1));
+        NearPairs now;
+        now.find(one, other, Eigen::Vector3f::Zero(), {near, near, 0});
+        for (const auto& each : found(now.nodes())) EXPECT_EQ(nodes.count(each), 1u) << time;
+        for (const auto& each : found(now.nodesOfOther())) EXPECT_EQ(nodesOfOther.count(each), 1u) << time;
+        come += now.nodes().size() + now.nodesOfOther().size();
+    }
+    EXPECT_GT(come, 100u);
+    EXPECT_LT(nodes.size(), count * 128 / 4) << "what does not come near is not found";
+}
+
 TEST(NearPairs, OfOneClothAreThoseOfItsLayersButNotOfNeighbours) {
     constexpr int n = 16;
     Grid grid(n);
     Positions level = grid.level();
     NearPairs pairs;
-    pairs.findWithin(grid.at(level), {1.5f, 1.5f});
+    pairs.findWithin(grid.at(level), {1.5f, 1.5f, 0});
     EXPECT_TRUE(pairs.nodes().empty()) << "a level cloth does not meet itself";
     EXPECT_TRUE(pairs.edges().empty());
     // Folded over at the middle, with layers half a cell apart.
@@ -162,7 +218,7 @@ TEST(NearPairs, OfOneClothAreThoseOfItsLayersButNotOfNeighbours) {
         if (each.x() > float(n) / 2) each = {float(n) - each.x() + 0.3f, 0.5f, each.z()};
     const SurfaceTree& folded = grid.at(level);
     constexpr float near = 0.6f;
-    pairs.findWithin(folded, {near, near});
+    pairs.findWithin(folded, {near, near, 0});
     Found expected;
     for (const SurfaceTree::Face& face : folded.faces())
         for (std::size_t node = 0; node < folded.nodeCount(); ++node) {
@@ -187,7 +243,7 @@ TEST(NearPairs, FacesAreTurnedToOneSide) {
     SurfaceTree tree(triangles, 4, corners, 0);
     std::vector<MovingNode> start, moved(4, MovingNode{0, 0, 0, 0});
     for (const Eigen::Vector3f& each : at) start.push_back({each.x(), each.y(), each.z(), 0});
-    tree.follow(start.data(), moved.data());
+    tree.follow(start.data(), moved.data(), {moved.data(), 0, 0});
     EXPECT_GT(tree.normals()[0].dot(tree.normals()[1]), 0.99f);
 }
 
