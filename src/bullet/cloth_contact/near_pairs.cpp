@@ -74,6 +74,49 @@ void NearPairs::finish() {
     });
 }
 
+void NearPairs::addNearest(const std::vector<int>& nodes, bool areOfOther, float farthest) {
+    std::vector<NearFace>& found = areOfOther ? nodesOfOther_ : nodes_;
+    const SurfaceTree &ofNode = areOfOther ? *other_ : *cloth_, &ofFace = areOfOther ? *cloth_ : *other_;
+    if (ofFace.branches().empty()) return;
+    const Eigen::Vector3f offset = areOfOther ? -offset_ : offset_;
+    added_.clear();
+    std::size_t next = 0;
+    for (const int node : nodes) {
+        while (next < found.size() && found[next].node < node) ++next;
+        if (next < found.size() && found[next].node == node) continue;
+        Nearest nearest = {&ofNode, &ofFace, at(ofNode.positions(), node) - offset, {node, -1, farthest, {}}};
+        findNearest(nearest, 0);
+        if (nearest.found.face >= 0) added_.push_back(nearest.found);
+    }
+    if (added_.empty()) return;
+    found.insert(found.end(), added_.begin(), added_.end());
+    sortByNode(found);
+}
+
+void NearPairs::findNearest(Nearest& nearest, int branch) const {
+    const SurfaceTree& tree = *nearest.ofFace;
+    const Box& box = at(tree.boxes(), branch);
+    const Eigen::Array3f place = nearest.position.array();
+    const Eigen::Array3f outside = (box.low - place).max(place - box.high).max(0);
+    if (!(outside.matrix().norm() < nearest.found.distance)) return;
+    const SurfaceTree::Branch& of = at(tree.branches(), branch);
+    if (of.leaf < 0) {
+        for (const int child : of.children) findNearest(nearest, child);
+        return;
+    }
+    const SurfaceTree::Leaf& leaf = at(tree.leaves(), of.leaf);
+    const bool isOneCloth = nearest.ofNode == nearest.ofFace;
+    const SurfaceTree::Bits close = isOneCloth ? tree.closeFaces(nearest.found.node, of.leaf) : 0;
+    for (int f = leaf.firstFace; f < leaf.endFace; ++f) {
+        if ((close >> (f - leaf.firstFace) & 1) != 0) continue;
+        const auto& [a, b, c] = at(tree.faces(), f).nodes;
+        const NearestOnFace point = nearestOnFace(nearest.position, at(tree.positions(), a),
+                                                  at(tree.positions(), b), at(tree.positions(), c));
+        const float distance = point.apart.norm();
+        if (distance < nearest.found.distance) nearest.found = {nearest.found.node, f, distance, point};
+    }
+}
+
 void NearPairs::within(int branch) {
     if (cloth_->isOneSided(at(cloth_->boxes(), branch))) return;
     const SurfaceTree::Branch& of = at(cloth_->branches(), branch);

@@ -38,6 +38,10 @@ class NearPairs {
     // Of one cloth with itself; its pairs are in `nodes` and `edges`.
     void findWithin(const SurfaceTree& cloth, const Distances& near);
 
+    // Adds the nearest face of the other cloth to each of some nodes, of the first cloth or of the other, that have none
+    // yet. To be called afterwards, with nodes in ascending order. @param farthest  m
+    void addNearest(const std::vector<int>& nodes, bool areOfOther, float farthest);
+
     // Nodes of the first cloth near faces of the other, and the reverse; in ascending order of nodes, and then of
     // distance.
     const std::vector<NearFace>& nodes() const { return nodes_; }
@@ -70,6 +74,14 @@ class NearPairs {
                         float approach, std::vector<NearFace>& found) const;
     void edgesNearEdges(const Side& one, const Side& two, float approach, bool onlyBorders);
     void edgeNearEdge(int edge, int other);
+    // The nearest face to a node.
+    struct Nearest {
+        const SurfaceTree* ofNode;
+        const SurfaceTree* ofFace;
+        Eigen::Vector3f position;  // as that of the face, m
+        NearFace found;
+    };
+    void findNearest(Nearest& nearest, int branch) const;
 
     const SurfaceTree* cloth_ = nullptr;
     const SurfaceTree* other_ = nullptr;
@@ -78,6 +90,7 @@ class NearPairs {
     float deviation_ = 0;  // of both from their ways, m
     std::vector<NearFace> nodes_, nodesOfOther_;
     std::vector<NearEdges> edges_;
+    std::vector<NearFace> added_;
 
     // The extents of the leaves that were looked at in the present search.
     class LeafCache {

@@ -58,25 +58,36 @@ void place(PairContact& contact, const MeetingCloth& first, const MeetingCloth& 
 }  // namespace
 
 void ContactSearch::find(ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other,
-                         const NearPairs::Distances& beyond, const ContactMemory& memory,
-                         const ContactMemory& memoryOfOther) {
+                         float farthest, const ContactMemory& memory, const ContactMemory& memoryOfOther) {
     pair_ = &pair;
     one_ = &one;
     other_ = &other;
     memory_ = &memory;
     memoryOfOther_ = &memoryOfOther;
-    const NearPairs::Distances near = {pair.distance + beyond.ofFaces,
-                                       edgeShare * pair.distance + beyond.ofEdges, beyond.farthest};
+    const NearPairs::Distances near = {pair.distance, edgeShare * pair.distance, farthest};
     if (&one == &other)
         near_.findWithin(*one.tree, near);
     else
         near_.find(*one.tree, *other.tree, toFloat(other.origin - one.origin), near);
+    findBonds(false);
+    if (&one != &other) findBonds(true);
     pair.contacts.clear();
     choose(near_.nodes(), false);
     choose(near_.nodesOfOther(), true);
     PairContact contact;
     for (const NearEdges& edges : near_.edges())
         if (makeContact(edges, contact)) pair.contacts.push_back(contact);
+}
+
+// A bond may be longer than what comes near is away.
+void ContactSearch::findBonds(bool areOfOther) {
+    const MeetingCloth &ofNodes = areOfOther ? *other_ : *one_, &ofFaces = areOfOther ? *one_ : *other_;
+    if (!(ofNodes.adhesiveReach > 0)) return;
+    const std::vector<const btCollisionObject*>& bonds = ofNodes.sheetFriction->adheresToCloth;
+    bonded_.clear();
+    for (std::size_t n = 0; n < bonds.size(); ++n)
+        if (bonds[n] == ofFaces.body) bonded_.push_back(static_cast<int>(n));
+    near_.addNearest(bonded_, areOfOther, pair_->distance + ofNodes.adhesiveReach);
 }
 
 // The contacts of a node are with the points of the cloth to which its distance is a local minimum. A point on the

@@ -31,14 +31,14 @@ struct ClothPair {
 
 class ContactSearch {
   public:
-    // Finds all contacts that are possible within a distance beyond that which the pair keeps.
-    // @param beyond                of faces and of edges, m
+    // Finds all contacts that are possible while the nodes are on their ways, and those of nodes that adhere.
+    // @param farthest              from which something comes near that is looked for, m
     // @param memory, memoryOfOther what contacts of one cloth and of the other have left
     void find(ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other,
-              const NearPairs::Distances& beyond, const ContactMemory& memory,
-              const ContactMemory& memoryOfOther);
+              float farthest, const ContactMemory& memory, const ContactMemory& memoryOfOther);
 
   private:
+    void findBonds(bool areOfOther);
     void choose(const std::vector<NearFace>& near, bool isOfOther);
     void passOnForces(int node, bool isOfOther, std::size_t chosen);
     bool makeContact(const NearFace& near, bool isOfOther, PairContact& contact) const;
@@ -50,6 +50,7 @@ class ContactSearch {
     const ContactMemory* memory_ = nullptr;
     const ContactMemory* memoryOfOther_ = nullptr;
     NearPairs near_;
+    std::vector<int> bonded_;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

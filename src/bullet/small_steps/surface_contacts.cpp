@@ -166,11 +166,9 @@ void SurfaceContacts::findAgain(ClothPair& pair) {
 
 void SurfaceContacts::find(ClothPair& pair, const ContactMemory& memory, const ContactMemory& memoryOfOther) {
     const MeetingCloth &one = cloths_[pair.one], &other = cloths_[pair.other];
-    const float adhesiveReach = std::max(one.adhesiveReach, other.adhesiveReach);
     // What passes by several cells in a substep cannot be kept apart.
     constexpr float passing = 3;
-    search_.find(pair, one, other, {adhesiveReach, 0, passing * (one.cell + other.cell)}, memory,
-                 memoryOfOther);
+    search_.find(pair, one, other, passing * (one.cell + other.cell), memory, memoryOfOther);
 }
 
 // Wet cloth adheres only by the nearest contact of each node; otherwise adhesion would count several times.
