@@ -177,11 +177,26 @@ void SolidContacts::findNode(const Search& search, std::size_t n) {
     const SolidPath& path = search.solid.path();
     const btVector3 from = path.start.invXform(node.m_x);
     const btVector3 to = path.end.invXform(node.m_x + vectorOf(search.sheet.reach(n)));
+    const btScalar around =
+        slack * margin_ + search.pull + sagitta(std::max(from.length(), to.length()), search.turn);
+    const std::size_t first = candidates_.size();
+    findParts(search, n, from, to, around);
+    // A bond may be longer than what comes near is away; it is with the nearest part.
+    if (candidates_.size() > first || sheetFriction_->adheresTo[n] != &search.solid.object()) return;
+    findParts(search, n, from, to, around + reach_);
+    if (candidates_.size() <= first + 1) return;
+    const auto begin = candidates_.begin() + static_cast<std::ptrdiff_t>(first);
+    *begin = *std::min_element(begin, candidates_.end(), [](const Candidate& a, const Candidate& b) {
+        return a.distance < b.distance;
+    });
+    candidates_.resize(first + 1);
+}
+
+// Adds the parts around the way of a node, in the coordinates of the solid.
+void SolidContacts::findParts(const Search& search, std::size_t n, const btVector3& from, const btVector3& to,
+                              btScalar around) {
     Bounds way = {from, from};
     way.take(to);
-    const bool adheres = sheetFriction_->adheresTo[n] == &search.solid.object();
-    const btScalar around = slack * margin_ + search.pull + (adheres ? reach_ : 0) +
-                            sagitta(std::max(from.length(), to.length()), search.turn);
     way.grow(around);
     if (!way.meets(search.bounds)) return;
     const btScalar reach = (to - from).length();
@@ -195,7 +210,7 @@ void SolidContacts::findNode(const Search& search, std::size_t n) {
             parts_.push_back(gathered_[i]);
         }
         candidates_.push_back({n, keptAs_[i], search.touching, candidates_.size(), surface.distance,
-                               path.start.getBasis() * surface.normal, reach});
+                               search.solid.path().start.getBasis() * surface.normal, reach});
     });
 }
 

@@ -108,6 +108,8 @@ class SolidContacts {
     void find(const SmallStepSheet& sheet, const Solid& solid, std::size_t touching);
     void gather(const btCollisionShape& shape, const Bounds& box);
     void findNode(const Search& search, std::size_t n);
+    void findParts(const Search& search, std::size_t n, const btVector3& from, const btVector3& to,
+                   btScalar around);
     void gatherNodes();
     void lift(SmallStepSheet& sheet, const NodeContacts& of, const Solids& solids);
 

@@ -7,6 +7,10 @@
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+#include <BulletSoftBody/btDeformableBodySolver.h>
+#include <BulletSoftBody/btDeformableGravityForce.h>
+#include <BulletSoftBody/btDeformableMultiBodyConstraintSolver.h>
+#include <BulletSoftBody/btDeformableMultiBodyDynamicsWorld.h>
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 #include <BulletSoftBody/btSoftMultiBodyDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
@@ -234,7 +238,7 @@ double speedOf(SolidLoad load) {
 // A solid of any kind that moves and turns at constant velocities.
 class Mover {
   public:
-    Mover(btSoftMultiBodyDynamicsWorld& world, const Situation& situation, btCollisionShape& shape,
+    Mover(btMultiBodyDynamicsWorld& world, const Situation& situation, btCollisionShape& shape,
           const btTransform& start, const btVector3& velocity, const btVector3& spin)
         : world_(world), kind_(situation.kind), start_(start), velocity_(velocity), spin_(spin) {
         switch (kind_) {
@@ -332,7 +336,7 @@ class Mover {
         object_ = std::move(collider);
     }
 
-    btSoftMultiBodyDynamicsWorld& world_;
+    btMultiBodyDynamicsWorld& world_;
     const SolidKind kind_;
     const btTransform start_;
     const btVector3 velocity_, spin_;
@@ -343,24 +347,97 @@ class Mover {
 };
 
 // A world of the kind that robots use.
-struct RobotWorld {
-    explicit RobotWorld(StepWorld kind) {
-        if (kind == StepWorld::smallSteps) small = std::make_unique<SmallStepSolver>();
-        world = std::make_unique<btSoftMultiBodyDynamicsWorld>(&dispatcher, &broadphase, &solver,
-                                                               &configuration, small.get());
+class RobotWorld {
+  public:
+    virtual ~RobotWorld() = default;
+    virtual btMultiBodyDynamicsWorld& world() = 0;
+    virtual btSoftBodyWorldInfo& info() = 0;
+    virtual void add(btSoftBody& body) = 0;
+    virtual void remove(btSoftBody& body) = 0;
+    virtual void setGravity(const btVector3& gravity) {
+        world().setGravity(gravity);
+        info().m_gravity = gravity;
     }
-    void setGravity(const btVector3& gravity) {
-        world->setGravity(gravity);
-        world->getWorldInfo().m_gravity = gravity;
+    // Goes on by a frame.
+    virtual void step(const WetCloth& cloth) = 0;
+};
+
+class SoftRigid final : public RobotWorld {
+  public:
+    explicit SoftRigid(btSoftBodySolver* own)
+        : world_(&dispatcher_, &broadphase_, &solver_, &configuration_, own) {}
+    btMultiBodyDynamicsWorld& world() override { return world_; }
+    btSoftBodyWorldInfo& info() override { return world_.getWorldInfo(); }
+    void add(btSoftBody& body) override { world_.addSoftBody(&body); }
+    void remove(btSoftBody& body) override { world_.removeSoftBody(&body); }
+    void step(const WetCloth&) override { world_.stepSimulation(frame, 1, frame); }
+
+  private:
+    btSoftBodyRigidBodyCollisionConfiguration configuration_;
+    btCollisionDispatcher dispatcher_{&configuration_};
+    btDbvtBroadphase broadphase_;
+    btMultiBodyConstraintSolver solver_;
+    btSoftMultiBodyDynamicsWorld world_;
+};
+
+class SmallSteps final : public RobotWorld {
+  public:
+    btMultiBodyDynamicsWorld& world() override { return softRigid_.world(); }
+    btSoftBodyWorldInfo& info() override { return softRigid_.info(); }
+    void add(btSoftBody& body) override { softRigid_.add(body); }
+    void remove(btSoftBody& body) override { softRigid_.remove(body); }
+    void step(const WetCloth& cloth) override { softRigid_.step(cloth); }
+
+  private:
+    SmallStepSolver solver_;
+    SoftRigid softRigid_{&solver_};
+};
+
+class Deformable final : public RobotWorld {
+  public:
+    Deformable() {
+        solver_.setDeformableSolver(&bodySolver_);
+        world_.setImplicit(false);
+    }
+    btMultiBodyDynamicsWorld& world() override { return world_; }
+    btSoftBodyWorldInfo& info() override { return world_.getWorldInfo(); }
+    void add(btSoftBody& body) override {
+        world_.addSoftBody(&body);
+        world_.addForce(&body, &gravity_);
+    }
+    void remove(btSoftBody& body) override { world_.removeSoftBody(&body); }
+    void setGravity(const btVector3& gravity) override {
+        RobotWorld::setGravity(gravity);
+        gravity_.m_gravity = gravity;
+    }
+    // Explicit steps, none longer than the cloth allows.
+    void step(const WetCloth& cloth) override {
+        const int steps = static_cast<int>(std::ceil(double(frame) / cloth.stepBound()));
+        world_.stepSimulation(frame, steps, frame / btScalar(steps));
     }
 
-    std::unique_ptr<SmallStepSolver> small;
-    btSoftBodyRigidBodyCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher{&configuration};
-    btDbvtBroadphase broadphase;
-    btMultiBodyConstraintSolver solver;
-    std::unique_ptr<btSoftMultiBodyDynamicsWorld> world;
+  private:
+    btSoftBodyRigidBodyCollisionConfiguration configuration_;
+    btCollisionDispatcher dispatcher_{&configuration_};
+    btDbvtBroadphase broadphase_;
+    btDeformableMultiBodyConstraintSolver solver_;
+    btDeformableBodySolver bodySolver_;
+    btDeformableGravityForce gravity_{btVector3(0, 0, 0)};
+    btDeformableMultiBodyDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_,
+                                              &bodySolver_};
 };
+
+std::unique_ptr<RobotWorld> make(StepWorld kind) {
+    switch (kind) {
+        case StepWorld::smallSteps:
+            return std::make_unique<SmallSteps>();
+        case StepWorld::stock:
+            return std::make_unique<SoftRigid>(nullptr);
+        case StepWorld::deformable:
+            break;
+    }
+    return std::make_unique<Deformable>();
+}
 
 // The sheet lies level above the solid, or hangs beside the way on which the solid passes.
 std::unique_ptr<btSoftBody> sheetFor(RobotWorld& rig, const Situation& situation, const Form& form) {
@@ -368,13 +445,13 @@ std::unique_ptr<btSoftBody> sheetFor(RobotWorld& rig, const Situation& situation
     const btScalar margin = length / (side - 1) / 4;
     if (situation.load != SolidLoad::passing) {
         const btScalar height = form.top() + margin + btScalar(0.01);
-        return makeSheet(rig.world->getWorldInfo(), fabric,
+        return makeSheet(rig.info(), fabric,
                          flatCorners({-length / 2, height, -length / 2}, {length, 0, 0}, {0, 0, length}),
                          side, side);
     }
     const btScalar edge = form.halfWidth() + margin + btScalar(0.01);
-    return makeSheet(rig.world->getWorldInfo(), fabric,
-                     flatCorners({edge, length / 2, 0}, {length, 0, 0}, {0, -length, 0}), side, side);
+    return makeSheet(rig.info(), fabric, flatCorners({edge, length / 2, 0}, {length, 0, 0}, {0, -length, 0}),
+                     side, side);
 }
 
 double depthOf(const btSoftBody& sheet, const Form& form, const btTransform& pose) {
@@ -388,32 +465,36 @@ double depthOf(const btSoftBody& sheet, const Form& form, const btTransform& pos
 
 Outcome play(const Situation& situation) {
     const bool isAtRest = situation.load == SolidLoad::rest, isPassing = situation.load == SolidLoad::passing;
-    RobotWorld rig(situation.world);
+    const std::unique_ptr<RobotWorld> owned = make(situation.world);
+    RobotWorld& rig = *owned;
     rig.setGravity({0, isAtRest ? btScalar(-9.81) : 0, 0});
     const std::unique_ptr<Form> form = make(situation.form);
     const std::unique_ptr<btSoftBody> sheet = sheetFor(rig, situation, *form);
-    rig.world->addSoftBody(sheet.get());
+    rig.add(*sheet);
     const auto speed = btScalar(speedOf(situation.load));
     const btVector3 spin = situation.load != SolidLoad::spin          ? btVector3(0, 0, 0)
                            : situation.form == SolidForm::heightField ? btVector3(0, 15, 0)
                                                                       : btVector3(0, 0, 15);
     const btVector3 velocity = isPassing ? btVector3(0, 0, speed) : btVector3(0, speed, 0);
     const btVector3 start = isPassing ? btVector3(0, 0, btScalar(-1.01)) : btVector3(0, 0, 0);
-    Mover solid(*rig.world, situation, form->shape(), at(start), velocity, spin);
+    Mover solid(rig.world(), situation, form->shape(), at(start), velocity, spin);
     Outcome outcome;
     {
         // What hangs over an edge swings; without air, momentum is kept.
         if (isAtRest) sheet->m_cfg.kDP = 2;
         const SheetSettings settings = isAtRest ? SheetSettings() : withoutAir();
-        WetCloth cloth(*rig.world, *sheet, fabrics::cottonPlain(), settings);
+        WetCloth cloth(rig.world(), *sheet, fabrics::cottonPlain(), settings);
         if (situation.load == SolidLoad::spin) setVelocity(*sheet, {0, btScalar(-0.5), 0});
         const btVector3 before = solid.velocity() * btScalar(solidMass);
-        const int frames = isAtRest ? 300 : isPassing ? 12 : speed > 0 ? 10 + int(60 / speed) : 60;
+        // A second takes the deformable world minutes.
+        const int toRest = situation.world == StepWorld::deformable ? 60 : 300;
+        const int frames = isAtRest ? toRest : isPassing ? 12 : speed > 0 ? 10 + int(60 / speed) : 60;
         for (int f = 0; f < frames; ++f) {
             solid.beforeFrame();
-            rig.world->stepSimulation(frame, 1, frame);
+            rig.step(cloth);
             outcome.deepest = std::max(outcome.deepest, depthOf(*sheet, *form, solid.pose()));
-            outcome.touched = outcome.touched || sheet->m_rcontacts.size() > 0;
+            outcome.touched = outcome.touched || sheet->m_rcontacts.size() > 0 ||
+                              sheet->m_nodeRigidContacts.size() + sheet->m_faceRigidContacts.size() > 0;
         }
         outcome.finite = cloth.health().finite && cloth.health().heldSubsteps == 0;
         if (solid.isDynamic() && speed > 0 && !isPassing)
@@ -424,7 +505,7 @@ Outcome play(const Situation& situation) {
     for (int n = 0; n < sheet->m_nodes.size(); ++n)
         outcome.speed += double(sheet->m_nodes[n].m_v.length2()) / sheet->m_nodes.size();
     outcome.speed = std::sqrt(outcome.speed);
-    rig.world->removeSoftBody(sheet.get());
+    rig.remove(*sheet);
     return outcome;
 }
 

@@ -15,7 +15,9 @@ enum class SolidForm { ball, box, capsule, hull, cylinder, compound, mesh, scale
 // the sheet comes down on it; it passes the sheet's edge at 20 m/s, a centimetre beyond the distance at which cloth rests.
 enum class SolidLoad { rest, slow, fast, faster, spin, passing };
 
-enum class StepWorld { smallSteps, stock };
+// Who moves the sheet: a SmallStepSolver or Bullet's own in a btSoftMultiBodyDynamicsWorld, or a
+// btDeformableMultiBodyDynamicsWorld in explicit steps.
+enum class StepWorld { smallSteps, stock, deformable };
 
 struct Situation {
     SolidKind kind;
