@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -223,6 +222,11 @@ void SurfaceTree::findAdjacentLeaves() {
                 std::vector<int>& of = leavesOf[static_cast<std::size_t>(node)];
                 if (of.empty() || of.back() != static_cast<int>(l)) of.push_back(static_cast<int>(l));
             }
+    std::vector<std::vector<int>> corners(leaves_.size());
+    for (std::size_t node = 0; node < positions_.size(); ++node)
+        for (const int leaf : leavesOf[node])
+            corners[static_cast<std::size_t>(leaf)].push_back(static_cast<int>(node));
+    corners_ = sortedRows(corners);
     std::vector<std::vector<int>> adjacent(leaves_.size());
     for (std::size_t node = 0; node < positions_.size(); ++node)
         for (const int other : close_[node])
@@ -234,6 +238,33 @@ void SurfaceTree::findAdjacentLeaves() {
     adjacent_ = sortedRows(adjacent);
 }
 
+namespace {
+
+// Collects the bits of leaves for one row after the other.
+template <typename Bits>
+class BitsOfLeaves {
+  public:
+    explicit BitsOfLeaves(std::size_t leaves) : bits_(leaves, 0) {}
+    void add(int leaf, Bits bit) {
+        Bits& bits = bits_[static_cast<std::size_t>(leaf)];
+        if (bits == 0) leaves_.push_back(leaf);
+        bits |= bit;
+    }
+    // Calls a function with each leaf and its bits, and forgets them.
+    template <typename Function>
+    void take(Function function) {
+        for (const int leaf : leaves_)
+            function(leaf, std::exchange(bits_[static_cast<std::size_t>(leaf)], 0));
+        leaves_.clear();
+    }
+
+  private:
+    std::vector<Bits> bits_;
+    std::vector<int> leaves_;
+};
+
+}  // namespace
+
 void SurfaceTree::findCloseFaces() {
     std::vector<std::vector<std::pair<int, Bits>>> facesOf(positions_.size());  // leaf, and bit in it
     for (std::size_t l = 0; l < leaves_.size(); ++l)
@@ -241,14 +272,13 @@ void SurfaceTree::findCloseFaces() {
             for (const int node : faces_[static_cast<std::size_t>(f)].nodes)
                 facesOf[static_cast<std::size_t>(node)].emplace_back(static_cast<int>(l),
                                                                      Bits(1) << (f - leaves_[l].firstFace));
-    std::map<int, Bits> row;
+    BitsOfLeaves<Bits> row(leaves_.size());
     closeFaces_ = {positions_.size(), [&](const auto& add) {
                        for (std::size_t node = 0; node < positions_.size(); ++node) {
-                           row.clear();
                            for (const int other : close_[node])
                                for (const auto& [leaf, bit] : facesOf[static_cast<std::size_t>(other)])
-                                   row[leaf] |= bit;
-                           for (const auto& [leaf, bits] : row) add(node, OfLeaf{leaf, bits});
+                                   row.add(leaf, bit);
+                           row.take([&](int leaf, Bits bits) { add(node, OfLeaf{leaf, bits}); });
                        }
                    }};
 }
@@ -260,15 +290,14 @@ void SurfaceTree::findCloseEdges() {
             for (const int node : edges_[static_cast<std::size_t>(e)].nodes)
                 edgesOf[static_cast<std::size_t>(node)].emplace_back(static_cast<int>(l),
                                                                      Bits(1) << (e - leaves_[l].firstEdge));
-    std::map<int, Bits> row;
+    BitsOfLeaves<Bits> row(leaves_.size());
     closeEdges_ = {edges_.size(), [&](const auto& add) {
                        for (std::size_t edge = 0; edge < edges_.size(); ++edge) {
-                           row.clear();
                            for (const int end : edges_[edge].nodes)
                                for (const int other : close_[static_cast<std::size_t>(end)])
                                    for (const auto& [leaf, bit] : edgesOf[static_cast<std::size_t>(other)])
-                                       row[leaf] |= bit;
-                           for (const auto& [leaf, bits] : row) add(edge, OfLeaf{leaf, bits});
+                                       row.add(leaf, bit);
+                           row.take([&](int leaf, Bits bits) { add(edge, OfLeaf{leaf, bits}); });
                        }
                    }};
 }
@@ -320,13 +349,14 @@ void SurfaceTree::follow(const MovingNode* start, const MovingNode* moved, const
     }
     for (std::size_t branch = branches_.size(); branch-- > 0;) {
         const Branch& at = branches_[branch];
-        boxes_[branch] = at.leaf >= 0 ? boxOf(leaves_[static_cast<std::size_t>(at.leaf)])
+        boxes_[branch] = at.leaf >= 0 ? boxOf(static_cast<std::size_t>(at.leaf))
                                       : together(boxes_[static_cast<std::size_t>(at.children[0])],
                                                  boxes_[static_cast<std::size_t>(at.children[1])]);
     }
 }
 
-SurfaceTree::Box SurfaceTree::boxOf(const Leaf& leaf) const {
+SurfaceTree::Box SurfaceTree::boxOf(std::size_t index) const {
+    const Leaf& leaf = leaves_[index];
     constexpr float far = std::numeric_limits<float>::infinity();
     Box box;
     box.low = box.lowNormal = box.lowWay = Eigen::Array3f::Constant(far);
@@ -335,12 +365,12 @@ SurfaceTree::Box SurfaceTree::boxOf(const Leaf& leaf) const {
         const auto face = static_cast<std::size_t>(f);
         box.lowNormal = box.lowNormal.min(normals_[face].array());
         box.highNormal = box.highNormal.max(normals_[face].array());
-        for (const int node : faces_[face].nodes) {
-            box.low = box.low.min(positions_[static_cast<std::size_t>(node)].array());
-            box.high = box.high.max(positions_[static_cast<std::size_t>(node)].array());
-            box.lowWay = box.lowWay.min(ways_[static_cast<std::size_t>(node)].array());
-            box.highWay = box.highWay.max(ways_[static_cast<std::size_t>(node)].array());
-        }
+    }
+    for (const int node : corners_[index]) {
+        box.low = box.low.min(positions_[static_cast<std::size_t>(node)].array());
+        box.high = box.high.max(positions_[static_cast<std::size_t>(node)].array());
+        box.lowWay = box.lowWay.min(ways_[static_cast<std::size_t>(node)].array());
+        box.highWay = box.highWay.max(ways_[static_cast<std::size_t>(node)].array());
     }
     return box;
 }

@@ -109,7 +109,7 @@ class SurfaceTree {
         Bits bits;
     };
     static Bits bitsOf(const CompressedRows<OfLeaf>& rows, int row, int leaf);
-    Box boxOf(const Leaf& leaf) const;
+    Box boxOf(std::size_t leaf) const;
 
     std::vector<Face> faces_;
     std::vector<Edge> edges_;
@@ -117,6 +117,7 @@ class SurfaceTree {
     std::vector<Branch> branches_;  // each before its children
     std::vector<Leaf> leaves_;
     float oneSided_;                // cosine of that angle
+    CompressedRows<int> corners_;   // all nodes of the faces of each leaf
     CompressedRows<int> adjacent_;  // leaves that have nodes that are close, itself among them
     CompressedRows<int> close_;     // nodes; both in ascending order
     CompressedRows<OfLeaf> closeFaces_, closeEdges_;

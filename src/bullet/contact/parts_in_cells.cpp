@@ -35,18 +35,21 @@ void PartsInCells::assign(const std::vector<SolidPart>& parts, const Bounds& box
         division->longest = 0;
     }
     starts_.assign(columns_.count * rows_.count + 1, 0);
-    for (const SolidPart& part : parts) {
+    cells_.resize(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const SolidPart& part = parts[i];
         for (Division* const division : {&columns_, &rows_})
             division->longest = std::max(division->longest,
                                          part.bounds.high[division->axis] - part.bounds.low[division->axis]);
-        ++starts_[cellOf(part) + 1];
+        cells_[i] = cellOf(part);
+        ++starts_[cells_[i] + 1];
     }
     for (std::size_t cell = 0; cell + 1 < starts_.size(); ++cell) starts_[cell + 1] += starts_[cell];
     bounds_.resize(parts.size());
     indices_.resize(parts.size());
     next_ = starts_;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::size_t at = next_[cellOf(parts[i])]++;
+        const std::size_t at = next_[cells_[i]]++;
         bounds_[at] = parts[i].bounds;
         indices_[at] = i;
     }

@@ -46,8 +46,8 @@ class PartsInCells {
     Division columns_, rows_;
     std::vector<Bounds> bounds_;
     std::vector<std::size_t> indices_;
-    std::vector<std::size_t> starts_;  // first part of each cell, by its lower bounds
-    std::vector<std::size_t> next_;    // while parts are sorted
+    std::vector<std::size_t> starts_;        // first part of each cell, by its lower bounds
+    std::vector<std::size_t> cells_, next_;  // while parts are sorted
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

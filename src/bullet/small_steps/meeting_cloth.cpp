@@ -30,7 +30,8 @@ void MeetingCloth::expectMotion() {
     from = movedBefore;
     waySteps = steps;
     horizon = std::min(stepsLeft, 2 * stepsOfWay + 1);
-    stepsOfWay = 0;
+    stepsOfWay = seenAt = 0;
+    stepsUnseen = 1;
     isFollowed = false;
 }
 
@@ -38,16 +39,21 @@ bool MeetingCloth::isOnItsWay() {
     isFollowed = false;
     --stepsLeft;
     ++stepsOfWay;
-    const auto next = float(stepsOfWay + 1);
+    if (--stepsUnseen > 0 && stepsOfWay < horizon) return true;
+    // Since the last look there were one or two steps.
+    const float perStep = 1 / float(stepsOfWay - seenAt), next = float(stepsOfWay + 1);
+    seenAt = stepsOfWay;
     Eigen::Array4f farthest = Eigen::Array4f::Zero();
     for (std::size_t n = 0; n < movedBefore.size(); ++n) {
         const auto now = arrayOf(moved[n]);
-        arrayOf(steps[n]) = now - arrayOf(movedBefore[n]);
+        arrayOf(steps[n]) = (now - arrayOf(movedBefore[n])) * perStep;
         arrayOf(movedBefore[n]) = now;
         const Eigen::Array4f off = now + arrayOf(steps[n]) - arrayOf(from[n]) - arrayOf(waySteps[n]) * next;
         farthest = farthest.max(off.abs());
     }
-    return stepsOfWay < horizon && farthest.head<3>().matrix().norm() <= missed * cell;
+    const float off = farthest.head<3>().matrix().norm() / cell;
+    stepsUnseen = off <= missed / 4 ? 2 : 1;
+    return stepsOfWay < horizon && off <= missed;
 }
 
 // Those who began at another time may be off their ways by now.

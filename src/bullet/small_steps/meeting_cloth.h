@@ -54,6 +54,8 @@ struct MeetingCloth {
     std::vector<MovingNode> waySteps;     // per small step, m
     int stepsOfWay;                       // since then
     int horizon;                          // for how many steps that is expected
+    int seenAt;                           // step of the way at which the nodes were looked at last
+    int stepsUnseen;                      // until they are looked at again
     int stepsLeft;                        // in the substep
     bool isFollowed;                      // whether the tree is where the nodes are
 };

@@ -200,9 +200,10 @@ void SolidContacts::findParts(const Search& search, std::size_t n, const btVecto
     way.grow(around);
     if (!way.meets(search.bounds)) return;
     const btScalar reach = (to - from).length();
-    const btScalar farthest = around + reach;
+    const btScalar farthest = around + reach, fromMiddle = around + reach / 2;
+    const btVector3 middle = (from + to) / 2;
     cells_.forEach(way, [&](std::size_t i) {
-        if (gathered_[i].bounds.squaredDistance(from) > farthest * farthest) return;
+        if (gathered_[i].bounds.squaredDistance(middle) > fromMiddle * fromMiddle) return;
         const SurfacePoint surface = nearestOn(gathered_[i], from, body_->m_worldInfo->m_sparsesdf);
         if (!(surface.distance <= farthest)) return;
         if (keptAs_[i] == notKept) {
