@@ -1,6 +1,7 @@
 // Compiled for AVX2 and FMA; called only if the processor supports them.
 #include "bullet/simd/fluid_kernels_wide.h"
 #include "bullet/simd/small_step_kernels_wide.h"
+#include "bullet/simd/strip_loops.h"
 
 namespace drench {
 
@@ -13,7 +14,8 @@ const SmallStepKernels& avx2Kernels() {
                                              wide::prepareLinks,
                                              wide::solveLinks,
                                              wide::preparePlates,
-                                             wide::solvePlates};
+                                             wide::solvePlates,
+                                             strip_loops::kernels<wide::Eight, wide::Vector>()};
     return kernels;
 }
 

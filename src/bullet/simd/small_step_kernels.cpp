@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "bullet/simd/plain_vectors.h"
 #include "bullet/simd/scalar_vectors.h"
+#include "bullet/simd/strip_loops.h"
 #if defined(__GNUC__)
 #include "bullet/simd/small_step_kernels_wide.h"
 #endif
@@ -208,8 +210,10 @@ void preparePlates(MovingNode* push, PlateBlock* blocks, PlateState* states, con
 }  // namespace
 
 const SmallStepKernels& scalarKernels() {
-    static const SmallStepKernels kernels = {"scalar",     advance,    advanceByFraction, correctByFraction,
-                                             prepareLinks, solveLinks, preparePlates,     solvePlates};
+    static const SmallStepKernels kernels = {
+        "scalar",          advance,      advanceByFraction,
+        correctByFraction, prepareLinks, solveLinks,
+        preparePlates,     solvePlates,  strip_loops::kernels<plain::Eight, plain::Vector>()};
     return kernels;
 }
 
@@ -219,8 +223,9 @@ namespace {
 
 const SmallStepKernels& baselineKernels() {
     static const SmallStepKernels kernels = {
-        "baseline vectors", wide::advance,    wide::advanceByFraction, wide::correctByFraction,
-        wide::prepareLinks, wide::solveLinks, wide::preparePlates,     wide::solvePlates};
+        "baseline vectors",      wide::advance,      wide::advanceByFraction,
+        wide::correctByFraction, wide::prepareLinks, wide::solveLinks,
+        wide::preparePlates,     wide::solvePlates,  strip_loops::kernels<wide::Eight, wide::Vector>()};
     return kernels;
 }
 

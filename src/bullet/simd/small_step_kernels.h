@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "bullet/simd/nodes.h"
+#include "bullet/simd/strip_kernels.h"
 
 namespace drench {
 
@@ -124,6 +125,9 @@ struct SmallStepKernels {
     // substep; both may be the same array.
     void (*solvePlates)(MovingNode* to, const MovingNode* from, const PlateBlock* blocks,
                         const PlateWeights* weights, std::size_t count);
+
+    // The same for sheets in strips.
+    StripKernels strips;
 };
 
 // Scalar version, for any processor.

@@ -111,6 +111,36 @@ DRENCH_INLINE void store(Node* nodes, const std::int32_t* index, const Eight* re
             read[3] + __builtin_shufflevector(xyHigh, zHigh, 2, 3, 10, 11, 6, 7, 14, 15));
 }
 
+// Writes eight different nodes, one component at a time.
+template <typename Node>
+DRENCH_INLINE void put(Node* nodes, const std::int32_t* index, const Vector& v, const Eight& fourth) {
+    const Eight xyLow = __builtin_shufflevector(v.x, v.y, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Eight xyHigh = __builtin_shufflevector(v.x, v.y, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Eight zwLow = __builtin_shufflevector(v.z, fourth, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Eight zwHigh = __builtin_shufflevector(v.z, fourth, 2, 10, 3, 11, 6, 14, 7, 15);
+    putPair(nodes[index[0]], nodes[index[4]],
+            __builtin_shufflevector(xyLow, zwLow, 0, 1, 8, 9, 4, 5, 12, 13));
+    putPair(nodes[index[1]], nodes[index[5]],
+            __builtin_shufflevector(xyLow, zwLow, 2, 3, 10, 11, 6, 7, 14, 15));
+    putPair(nodes[index[2]], nodes[index[6]],
+            __builtin_shufflevector(xyHigh, zwHigh, 0, 1, 8, 9, 4, 5, 12, 13));
+    putPair(nodes[index[3]], nodes[index[7]],
+            __builtin_shufflevector(xyHigh, zwHigh, 2, 3, 10, 11, 6, 7, 14, 15));
+}
+
+// Brings lane l + by to lane l.
+DRENCH_INLINE void turn(Eight& v, int by) {
+    if (by == 1) {
+        v = __builtin_shufflevector(v, v, 1, 2, 3, 4, 5, 6, 7, 0);
+    } else if (by == 7) {
+        v = __builtin_shufflevector(v, v, 7, 0, 1, 2, 3, 4, 5, 6);
+    } else {
+        const Eight before = v;
+        for (std::size_t lane = 0; lane < blockWidth; ++lane)
+            v[lane] = before[(lane + static_cast<std::size_t>(by)) % blockWidth];
+    }
+}
+
 DRENCH_INLINE void squareRoot(Eight& v) {
     for (std::size_t lane = 0; lane < blockWidth; ++lane) v[lane] = __builtin_sqrtf(v[lane]);
 }

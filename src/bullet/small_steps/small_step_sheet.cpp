@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <map>
 
 #include "bullet/simd/independent_blocks.h"
+#include "bullet/simd/weight_table.h"
 #include "bullet/world/limits.h"
 #include "cloth/plate_bending.h"
 #include "cloth/plate_response.h"
@@ -26,47 +26,6 @@ btVector3 limited(btVector3 v, btScalar max) {
     return v;
 }
 
-// Collects the weights of plates. On a regular mesh the same few weights occur again and again.
-class WeightTable {
-  public:
-    // Index of the weights of a plate among those found so far, compared to four digits.
-    int classOf(const PlateElement& plate) {
-        double largest = 0;
-        for (const auto& component : plate.weights)
-            for (const double weight : component) largest = std::max(largest, std::abs(weight));
-        constexpr double digits = 1e4;
-        Key key;
-        for (std::size_t m = 0; m < 3; ++m)
-            for (std::size_t k = 0; k < 6; ++k)
-                key[m * 6 + k] = std::lround(plate.weights[m][k] / largest * digits);
-        key[18] = std::lround(std::log(largest) * digits);
-        const auto [found, isNew] = classes_.emplace(key, static_cast<int>(plates_.size()));
-        if (isNew) plates_.push_back(&plate);
-        return found->second;
-    }
-
-    // Index of the weights of eight plates.
-    int of(const std::array<int, blockWidth>& classes, std::vector<PlateWeights>& table) {
-        const auto [found, isNew] = blocks_.emplace(classes, static_cast<int>(table.size()));
-        if (!isNew) return found->second;
-        PlateWeights weights = {};
-        for (std::size_t lane = 0; lane < blockWidth; ++lane) {
-            if (classes[lane] < 0) continue;
-            const PlateElement& plate = *plates_[static_cast<std::size_t>(classes[lane])];
-            for (std::size_t m = 0; m < 3; ++m)
-                for (std::size_t k = 0; k < 6; ++k) weights.of[m][k][lane] = float(plate.weights[m][k]);
-        }
-        table.push_back(weights);
-        return found->second;
-    }
-
-  private:
-    using Key = std::array<long, 19>;
-    std::map<Key, int> classes_;
-    std::vector<const PlateElement*> plates_;
-    std::map<std::array<int, blockWidth>, int> blocks_;
-};
-
 }  // namespace
 
 SmallStepSheet::SmallStepSheet(const SheetMechanics& mechanics, const SmallStepKernels& kernels)
@@ -74,70 +33,84 @@ SmallStepSheet::SmallStepSheet(const SheetMechanics& mechanics, const SmallStepK
       count_(mechanics.mesh.size()),
       triangles_(mechanics.mesh.triangles),
       stretch_(mechanics.stretch) {
-    const std::size_t slots = count_ + 1;
+    pack(mechanics);
+    const std::size_t slots = strips_ ? std::max(count_ + 1, strips_->slots()) : count_ + 1;
     for (auto* nodes : {&start_, &velocity_, &acceleration_, &reach_, &moved_, &predicted_, &steps_, &push_,
                         &pushAndMoments_, &ahead_, &expected_})
         nodes->assign(slots, MovingNode{0, 0, 0, 0});
     ratios_.assign(slots, NodeRatios{1, 1, 1, 0});
     isCarried_.assign(slots, 0);
-    packLinks(mechanics);
-    packPlates(mechanics);
 }
 
-void SmallStepSheet::packLinks(const SheetMechanics& mechanics) {
-    std::vector<std::array<int, 2>> elements;
-    std::vector<int> links;
-    const auto isStretched = [&](std::size_t link) {
-        return mechanics.dryStiffness[link].kind != LinkKind::bending;  // the plates bend
-    };
+void SmallStepSheet::pack(const SheetMechanics& mechanics) {
+    measure(mechanics);
+    std::vector<std::array<int, 2>> links;
+    std::vector<float> dry;
     for (std::size_t i = 0; i < mechanics.shape.links.size(); ++i) {
-        if (!isStretched(i)) continue;
-        elements.push_back(mechanics.shape.links[i].nodes);
-        links.push_back(static_cast<int>(i));
+        if (mechanics.dryStiffness[i].kind == LinkKind::bending) continue;  // the plates bend
+        const std::array<int, 2>& nodes = mechanics.shape.links[i].nodes;
+        links.push_back({std::min(nodes[0], nodes[1]), std::max(nodes[0], nodes[1])});
+        dry.push_back(float(mechanics.dryStiffness[i].dry));
+        linkOf_.push_back(static_cast<int>(i));
     }
-    meanLink_ = meanLength(mechanics.shape.links, isStretched).value_or(0.0);
+    // A few bad triangles should not determine the steps of a whole world.
+    constexpr double stiffest = 4;  // ratio to the usual response; beyond, steps do not resolve plates anyway
+    std::vector<PlateElement> plates = plateElements(mechanics.mesh);
+    plateResponse_ = usualResponse(plates, mechanics.mesh);
+    limitResponses(plates, mechanics.mesh.areas, stiffest * plateResponse_);
+    stiffestPlates_ = stiffestNode(plates, mechanics.mesh.areas);
 
+    strips_ = StripCloth::of(kernels_.strips, count_, {links, dry}, plates);
+    if (!strips_) packLinks(links, dry);
+    packPlates(plates);
+}
+
+void SmallStepSheet::measure(const SheetMechanics& mechanics) {
+    const auto isStretched = [&](std::size_t link) {
+        return mechanics.dryStiffness[link].kind != LinkKind::bending;
+    };
+    meanLink_ = meanLength(mechanics.shape.links, isStretched).value_or(0.0);
     Eigen::AlignedBox2d extent;
     for (const auto& corners : mechanics.mesh.coordinates)
         for (const Eigen::Vector2d& corner : corners) extent.extend(corner);
     for (const double nodeArea : mechanics.mesh.areas) area_ += nodeArea;
     height_ = std::max(extent.sizes().maxCoeff(), std::sqrt(area_));  // faces may or may not be adjacent
 
-    const auto spare = static_cast<std::int32_t>(count_);
-    for (const IndependentBlock& chosen : independentBlocks(elements, count_)) {
-        LinkBlock& block = links_.emplace_back();
-        std::memset(&block, 0, sizeof block);
-        for (std::size_t lane = 0; lane < blockWidth; ++lane) {
-            block.first[lane] = block.second[lane] = spare;
-            const int element = chosen[lane];
-            linkOf_.push_back(element < 0 ? -1 : links[static_cast<std::size_t>(element)]);
-            dryStiffness_.push_back(1);
-            if (element < 0) continue;
-            const auto link = static_cast<std::size_t>(linkOf_.back());
-            block.first[lane] = mechanics.shape.links[link].nodes[0];
-            block.second[lane] = mechanics.shape.links[link].nodes[1];
-            dryStiffness_.back() = float(mechanics.dryStiffness[link].dry);
-        }
-    }
-}
-
-void SmallStepSheet::packPlates(const SheetMechanics& mechanics) {
     // Ratio of the stiffness of cloth in small bends, before its friction slides, to that in large bends:
     // assumed, after the slope of measured hysteresis loops at their turning points.
     constexpr double heldOverElastic = 2;
     plateLaws_ = {float(mechanics.bending), float(mechanics.bendingFriction),
                   mechanics.bendingFriction > 0 ? float(heldOverElastic) : 0.0f};
+}
 
-    // A few bad triangles should not determine the steps of a whole world.
-    constexpr double stiffest = 4;  // ratio to the usual response; beyond, steps do not resolve plates anyway
-    std::vector<PlateElement> elements = plateElements(mechanics.mesh);
-    plateResponse_ = usualResponse(elements, mechanics.mesh);
-    limitResponses(elements, mechanics.mesh.areas, stiffest * plateResponse_);
+void SmallStepSheet::packLinks(const std::vector<std::array<int, 2>>& nodes, const std::vector<float>& dry) {
+    const auto spare = static_cast<std::int32_t>(count_);
+    slotOfLink_.resize(nodes.size());
+    for (const IndependentBlock& chosen : independentBlocks(nodes, count_)) {
+        LinkBlock& block = links_.emplace_back();
+        std::memset(&block, 0, sizeof block);
+        for (std::size_t lane = 0; lane < blockWidth; ++lane) {
+            block.first[lane] = block.second[lane] = spare;
+            dryStiffness_.push_back(1);
+            if (chosen[lane] < 0) continue;
+            const auto link = static_cast<std::size_t>(chosen[lane]);
+            block.first[lane] = nodes[link][0];
+            block.second[lane] = nodes[link][1];
+            dryStiffness_.back() = dry[link];
+            slotOfLink_[link] = dryStiffness_.size() - 1;
+        }
+    }
+}
+
+// Their order is also that in which friction is saved.
+void SmallStepSheet::packPlates(const std::vector<PlateElement>& plates) {
     std::vector<std::array<int, 6>> nodes;
-    for (const PlateElement& element : elements) nodes.push_back(element.nodes);
+    for (const PlateElement& plate : plates) nodes.push_back(plate.nodes);
     WeightTable table;
     const auto spare = static_cast<std::int32_t>(count_);
     for (const IndependentBlock& chosen : independentBlocks(nodes, count_)) {
+        plateOf_.insert(plateOf_.end(), chosen.begin(), chosen.end());
+        if (strips_) continue;
         PlateBlock& block = plates_.emplace_back();
         PlateState& state = plateStates_.emplace_back();
         std::memset(&block, 0, sizeof block);
@@ -147,15 +120,14 @@ void SmallStepSheet::packPlates(const SheetMechanics& mechanics) {
             for (auto& slot : block.nodes) slot[lane] = spare;
             classes[lane] = -1;
             if (chosen[lane] < 0) continue;
-            const PlateElement& element = elements[static_cast<std::size_t>(chosen[lane])];
-            classes[lane] = table.classOf(element);
-            state.area[lane] = float(element.area);
+            const PlateElement& plate = plates[static_cast<std::size_t>(chosen[lane])];
+            classes[lane] = table.classOf(plate);
+            state.area[lane] = float(plate.area);
             for (std::size_t k = 0; k < 6; ++k)
-                if (element.nodes[k] >= 0) block.nodes[k][lane] = element.nodes[k];
+                if (plate.nodes[k] >= 0) block.nodes[k][lane] = plate.nodes[k];
         }
         block.weights = table.of(classes, plateWeights_);
     }
-    stiffestPlates_ = stiffestNode(elements, mechanics.mesh.areas);
 }
 
 void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechanics, double substep) {
@@ -177,10 +149,18 @@ void SmallStepSheet::begin(const btSoftBody& body, const SheetMechanics& mechani
     boundNodes(body);
     if (double(body.m_restLengthScale) == restLengthScale_) return;
     restLengthScale_ = double(body.m_restLengthScale);
-    for (std::size_t slot = 0; slot < linkOf_.size(); ++slot)
-        if (linkOf_[slot] >= 0)
-            links_[slot / blockWidth].restLength[slot % blockWidth] = float(
-                restLengthScale_ * mechanics.shape.links[static_cast<std::size_t>(linkOf_[slot])].length);
+    writeRestLengths(mechanics);
+}
+
+void SmallStepSheet::writeRestLengths(const SheetMechanics& mechanics) {
+    for (std::size_t i = 0; i < linkOf_.size(); ++i) {
+        const LinkNodes& link = mechanics.shape.links[static_cast<std::size_t>(linkOf_[i])];
+        const auto length = float(restLengthScale_ * link.length);
+        if (strips_)
+            strips_->setRestLength(i, length);
+        else
+            links_[slotOfLink_[i] / blockWidth].restLength[slotOfLink_[i] % blockWidth] = length;
+    }
 }
 
 void SmallStepSheet::boundNodes(const btSoftBody& body) {
@@ -341,13 +321,23 @@ void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
         push_[n] = {a.x * squared + v.x * feed, a.y * squared + v.y * feed, a.z * squared + v.z * feed, 0};
         expected_[n] = {start_[n].x + half * v.x, start_[n].y + half * v.y, start_[n].z + half * v.z, 0};
     }
-    moved_[count_] = push_[count_] =
-        ahead_[count_] = {0, 0, 0, 0};  // the spare node must not accumulate anything
+    // The spare node, and those that are missing in strips, must not accumulate anything.
+    for (auto* nodes : {&moved_, &predicted_, &steps_, &push_, &ahead_})
+        std::fill(nodes->begin() + static_cast<std::ptrdiff_t>(count_), nodes->end(), MovingNode{0, 0, 0, 0});
+    const PlateTimes times = {longest, float(platesEvery_)};
+    if (strips_) {
+        isShared_ = true;
+        strips_->setRatios(count_, [this](std::size_t n) {
+            return std::array<float, 3>{ratios_[n].stretch, ratios_[n].bending, ratios_[n].bendingFriction};
+        });
+        strips_->begin({start_.data(), steps_.data(), push_.data(), expected_.data(), plateLaws_, times});
+        return;
+    }
     kernels_.prepareLinks(links_.data(), dryStiffness_.data(), start_.data(), ratios_.data(), squared,
                           links_.size());
     kernels_.preparePlates(push_.data(), plates_.data(), plateStates_.data(), plateWeights_.data(),
-                           plateLaws_, start_.data(), expected_.data(), ratios_.data(),
-                           {longest, float(platesEvery_)}, plates_.size());
+                           plateLaws_, start_.data(), expected_.data(), ratios_.data(), times,
+                           plates_.size());
 }
 
 // A step shorter than the longest one gets that fraction of the impulses of the longest one, which the cloth
@@ -355,7 +345,13 @@ void SmallStepSheet::divide(const SheetMechanics& mechanics, int steps) {
 // equally low. (An impulse found at the end of the shorter step would make it stiffer: links that one sweep
 // does not resolve are as stiff as m / h^2, and their stiffness would change with h.)
 void SmallStepSheet::advance() {
-    if (step_++ % renewEvery_ == 0 && platesEvery_ > 1) renewMoments();
+    const bool areKept = platesEvery_ > 1, areDue = step_++ % renewEvery_ == 0 && areKept;
+    if (strips_) {
+        if (isShared_ || step_ == 1) strips_->read(moved_.data(), predicted_.data());
+        if (areDue) strips_->renewMoments(float(platesEvery_) / fraction_);
+        return strips_->advance(keep_, fraction_, areKept);
+    }
+    if (areDue) renewMoments();
     const auto& push = platesEvery_ > 1 ? pushAndMoments_ : push_;
     if (fraction_ < 1)
         kernels_.advanceByFraction(arrays(), push.data(), keep_, fraction_, count_);
@@ -367,7 +363,19 @@ StepArrays SmallStepSheet::arrays() {
     return {moved_.data(), predicted_.data(), steps_.data(), ahead_.data(), expected_.data()};
 }
 
+void SmallStepSheet::setShared(bool isShared) {
+    if (strips_ && step_ > 0 && isShared && !isShared_)
+        strips_->writeMotion(predicted_.data(), steps_.data());
+    isShared_ = isShared;
+}
+
 void SmallStepSheet::solveCloth() {
+    if (strips_) {
+        strips_->solve(fraction_, platesEvery_ > 1);
+        strips_->writeMoved(moved_.data());
+        if (isShared_) strips_->writeMotion(predicted_.data(), steps_.data());
+        return;
+    }
     std::vector<MovingNode>& nodes = fraction_ < 1 ? ahead_ : moved_;
     if (platesEvery_ == 1)
         kernels_.solvePlates(nodes.data(), nodes.data(), plates_.data(), plateWeights_.data(),
@@ -389,6 +397,11 @@ void SmallStepSheet::renewMoments() {
     std::copy(push_.begin(), push_.end(), pushAndMoments_.begin());
     kernels_.solvePlates(pushAndMoments_.data(), ahead_.data(), plates_.data(), plateWeights_.data(),
                          plates_.size());
+}
+
+float* SmallStepSheet::slid(std::size_t slot, std::size_t component) {
+    if (!strips_) return &plateStates_[slot / blockWidth].slid[component][slot % blockWidth];
+    return plateOf_[slot] < 0 ? nullptr : &strips_->slid(static_cast<std::size_t>(plateOf_[slot]), component);
 }
 
 // Under a constant force both leave the same gap.
@@ -439,8 +452,10 @@ Eigen::Vector3d vector3(const MovingNode& node) {
 }  // namespace
 
 void SmallStepSheet::keepAngularMomentum() {
+    setShared(true);
     const auto isPin = [](const MovingNode& node) { return !(node.inverseMass > 0); };
-    if (std::any_of(moved_.begin(), moved_.end() - 1, isPin) || firstLost() >= 0) return;
+    const auto first = start_.begin(), last = first + static_cast<std::ptrdiff_t>(count_);
+    if (std::any_of(first, last, isPin) || firstLost() >= 0) return;
     const auto end = [this](std::size_t n) {
         return Eigen::Vector3d(vector3(start_[n]) + vector3(moved_[n]));
     };
@@ -472,11 +487,13 @@ int SmallStepSheet::firstLost() const {
     const auto isOff = [](const MovingNode& moved) {
         return !(std::abs(moved.x) + std::abs(moved.y) + std::abs(moved.z) <= float(farthestPosition));
     };
-    const auto found = std::find_if(moved_.begin(), moved_.end() - 1, isOff);  // without the spare node
-    return found == moved_.end() - 1 ? -1 : static_cast<int>(found - moved_.begin());
+    const auto end = moved_.begin() + static_cast<std::ptrdiff_t>(count_);  // without the spare node
+    const auto found = std::find_if(moved_.begin(), end, isOff);
+    return found == end ? -1 : static_cast<int>(found - moved_.begin());
 }
 
 int SmallStepSheet::finish(btSoftBody& body) {
+    setShared(true);
     const int off = firstLost();
     const bool finite = off < 0;
     const auto perSecond = btScalar(1 / smallStep_);

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "bullet/sheet/sheet_mechanics.h"
 #include "bullet/simd/small_step_kernels.h"
+#include "bullet/simd/strip_cloth.h"
 #include "bullet/world/bounds.h"
 #include "bullet/world/vectors.h"
 #include "drench/config.h"
@@ -34,6 +36,12 @@ class SmallStepSheet {
     // The parts of each small step, in this order.
     void advance();
     void solveCloth();
+
+    // Whether the inner loops read the nodes in strips; otherwise they gather them.
+    bool isInStrips() const { return strips_.has_value(); }
+    // Says whether others may move nodes until this is called again. If not, they find nothing but how far nodes have
+    // moved. At the start of a substep they may.
+    void setShared(bool isShared);
 
     // Whether the application has moved nothing but pins since the last substep.
     bool isWhereItWas(const btSoftBody& body) const;
@@ -94,9 +102,14 @@ class SmallStepSheet {
   private:
     friend class BulletPass;
     void state(BulletPass& pass);
+    // Curvature of zero friction moment of a plate, by its place in plateOf_; null for none.
+    float* slid(std::size_t slot, std::size_t component);
 
-    void packLinks(const SheetMechanics& mechanics);
-    void packPlates(const SheetMechanics& mechanics);
+    void pack(const SheetMechanics& mechanics);
+    void packLinks(const std::vector<std::array<int, 2>>& nodes, const std::vector<float>& dry);
+    void packPlates(const std::vector<PlateElement>& plates);
+    void measure(const SheetMechanics& mechanics);
+    void writeRestLengths(const SheetMechanics& mechanics);
     double arealDensity(const SheetMechanics& mechanics) const;
     double longestBendingStep(const SheetMechanics& mechanics) const;
     int stepsBetweenPlates(const SheetMechanics& mechanics, double step) const;
@@ -146,12 +159,19 @@ class SmallStepSheet {
     std::vector<MovingNode> ahead_;           // predicted positions at the end of that interval, or step
     std::vector<MovingNode> expected_;        // ahead_ before corrections
 
-    std::vector<LinkBlock> links_;
-    std::vector<float> dryStiffness_;  // N/m, eight for each block
+    std::vector<int> linkOf_;  // index of the body's link of each that is stretched
     double restLengthScale_ = 0;
-    std::vector<int> linkOf_;  // index of the body's link in each lane; -1 for none
-
     PlateLaws plateLaws_;
+
+    // A mesh that repeats itself is in strips, which move the nodes. The arrays of nodes then have their slots.
+    std::optional<StripCloth> strips_;
+    bool isShared_ = true;  // whether these arrays are kept up to date, and read again, in each small step
+
+    // Other meshes are in blocks.
+    std::vector<LinkBlock> links_;
+    std::vector<float> dryStiffness_;      // N/m, eight for each block
+    std::vector<std::size_t> slotOfLink_;  // by the index in linkOf_
+    std::vector<int> plateOf_;             // index of the plate in each lane; -1 for none
     std::vector<PlateBlock> plates_;
     std::vector<PlateState> plateStates_;
     std::vector<PlateWeights> plateWeights_;

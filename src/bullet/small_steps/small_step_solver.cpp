@@ -165,6 +165,7 @@ struct SmallStepSolver::State {
     void begin(btScalar substep);
     void beginSheet(const Solving& each);
     void smallStep(double smallStepOfWorld);
+    bool mayBeMoved(std::size_t sheet) const;
     void meetCloth();
     void finish(btScalar substep);
     // Adds up computing time that sheets share.
@@ -348,8 +349,15 @@ void SmallStepSolver::State::beginSheet(const Solving& each) {
     each.mechanics->times.solver += watch.lap();
 }
 
+// Whether anything but its own cloth may move the nodes of a sheet in the next small step.
+bool SmallStepSolver::State::mayBeMoved(std::size_t sheet) const {
+    return settings.tethers || sheets[sheet].body->m_anchors.size() > 0 ||
+           !sheets[sheet].sheet->contacts.isEmpty() || surfaceContacts.meets(sheet);
+}
+
 void SmallStepSolver::State::smallStep(double smallStepOfWorld) {
     StopWatch watch;
+    for (std::size_t i = 0; i < sheets.size(); ++i) sheets[i].sheet->cloth.setShared(mayBeMoved(i));
     solids.advance(smallStepOfWorld);
     share(&StepTimes::contacts, watch.lap());
     surfaceContacts.beginStep();

@@ -36,6 +36,8 @@ class SolidContacts {
     // Finds the nodes that might touch a solid within the substep, or adhere to it, and moves nodes out of solids that
     // they start in. @pre the solids have begun
     void begin(btSoftBody& body, SmallStepSheet& sheet, const Friction& sheetFriction, const Solids& solids);
+    // Whether no node has a contact.
+    bool isEmpty() const { return nodes_.empty(); }
     // Keeps nodes on their side of the planes for now, so that other cloth finds them carried; `solve` then goes on
     // from there.
     void carry(SmallStepSheet& sheet, Solids& solids);

@@ -50,6 +50,13 @@ class SurfaceContacts {
     }
 
     void begin(const std::vector<Sheet>& sheets, double substep, int steps);
+    // Whether a sheet, by its index, has contacts, which may move its nodes.
+    bool meets(std::size_t sheet) const {
+        const auto first = pairs_.begin(), end = first + static_cast<std::ptrdiff_t>(pairCount_);
+        return std::any_of(first, end, [&](const ClothPair& pair) {
+            return (pair.one == sheet || pair.other == sheet) && !pair.contacts.empty();
+        });
+    }
     // Whether cloth has pushed or pulled a sheet, by its index, in this small step.
     bool touches(std::size_t sheet) const { return cloths_[sheet].touches; }
     // Whether it has touched other cloth in this substep.

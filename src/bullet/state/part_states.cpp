@@ -62,9 +62,13 @@ void SmallStepSheet::state(BulletPass& pass) {
     if (pass.restores()) end_.resize(size);
     btVector3 unused(0, 0, 0);
     for (std::size_t n = 0; n < size; ++n) pass.vector(n < end_.size() ? end_[n] : unused);
-    for (PlateState& plates : plateStates_)
-        for (auto& component : plates.slid)
-            for (float& curvature : component) pass.number(curvature);
+    for (std::size_t first = 0; first < plateOf_.size(); first += blockWidth)
+        for (std::size_t component = 0; component < 3; ++component)
+            for (std::size_t lane = 0; lane < blockWidth; ++lane) {
+                float none = 0;
+                float* const curvature = slid(first + lane, component);
+                pass.number(curvature ? *curvature : none);
+            }
     // Drench 0.2 did not remember steps.
     if (pass.saves() ? longestStep_ == 0 : !pass.hasMore()) return;
     for (double* const time : {&longestStep_, &longestInWindow_, &longestBefore_, &sinceWindow_})
