@@ -106,6 +106,12 @@ struct DRENCH_API Fabric {
     Quantity scattering;      ///< scattering power S h of dry cloth, dimensionless; 0.01 to 1000; cotton 6
     Quantity scatteringLoss;  ///< scattering power of dry over wet cloth, dimensionless; 1 to 100; cotton 8
 
+    // Layers of cloth, and cloth under pressure
+    Quantity permeabilityThrough;  ///< to water through the cloth, saturated, m2; 1e-17 to 1e-8; cotton 2e-12
+    /// Thickness under 5 kPa over `thickness`, dimensionless: Tm over T0 of a KES compression test; 0.02 to 1, more than
+    /// the fibres alone take up, 1 - porosity; cotton 0.75. See `thicknessUnder`.
+    Quantity pressedThicknessRatio;
+
     /// A cotton plain weave; see `fabrics::cottonPlain()`.
     Fabric();
 
@@ -115,6 +121,18 @@ struct DRENCH_API Fabric {
 
     /// Water in full pores, kg per m2 of cloth: water density x porosity x thickness.
     double poreCapacity() const;
+
+    /// Thickness under a pressure, m: t_f + (t - t_f) (1 + c p / 5 kPa)^(-1/3), with t_f the thickness that the fibres
+    /// alone take up and c such that it is pressedThicknessRatio x thickness at 5 kPa (van Wyk 1946 for masses of fibres,
+    /// with an incompressible part as de Jong et al. 1986).
+    /// @param pressure  Pa; at least 0
+    double thicknessUnder(double pressure) const;
+
+    /// Water that pores hold at most under a pressure, kg per m2 of cloth: the room that is left at that thickness, of
+    /// which capillarity keeps (entryPressure / pressure)^poreSizeIndex (Brooks & Corey 1964), and at least the bound
+    /// water, which no such pressure removes.
+    /// @param pressure  Pa; at least 0
+    double poreCapacityUnder(double pressure) const;
 };
 
 /// Description of one parameter of `Fabric`.

@@ -49,6 +49,15 @@ struct Surroundings {
         0.65;  ///< relative humidity of the air; 0 to below 1; default 0.65; used with a drying rate
 };
 
+/// Two nodes whose cloth touches: of one sheet folded on itself, or one of each of two sheets.
+struct LayerPair {
+    std::size_t node;   ///< index in the first sheet
+    std::size_t other;  ///< index in the second one, or in the same
+    double area;        ///< of the cloth that both share, m2; finite, at least 0
+    double descent =
+        0;  ///< cosine of the angle between down and the way from the first to the second; -1 to 1
+};
+
 /// The water in a sheet.
 ///
 /// Each node has pore water, between the fibres, up to `poreCapacity(node)`, and film water, on the two faces. Masses
@@ -98,6 +107,27 @@ class DRENCH_API Moisture {
     /// @throws std::out_of_range for a node that does not exist
     void layDown(std::size_t node);
 
+    /// Presses a node until the end of the next step: its pores then hold at most `Fabric::poreCapacityUnder` the pressure,
+    /// and what does not fit comes out as film. Of several pressures the largest counts.
+    /// @param pressure  Pa; 0 to 1e9
+    /// @throws std::out_of_range for the node, std::invalid_argument for the pressure
+    void press(std::size_t node, double pressure);
+
+    /// Joins layers of the sheet that touch, during the next step; replaces those given before. Pore water passes between
+    /// them as q = rho k / mu (Psi(s_a) - Psi(s_b)) / thickness, with k the fabric's permeabilityThrough (assumed for all
+    /// presets) and Psi as for wicking (Darcy 1856; Brooks & Corey 1964). Film leaves a covered face for the next layer
+    /// with a time constant of 0.1 s (assumed), and percolates down through full pores by gravity.
+    /// @throws std::out_of_range for a node, std::invalid_argument for an area or descent
+    void joinLayers(const std::vector<LayerPair>& pairs);
+
+    /// Water that the pores of each node hold at most, kg; less where it is pressed in this step.
+    const std::vector<double>& poreCapacities() const { return capacities_; }
+
+    /// Fraction of the faces of a node that is not covered in the next step, 0 to 1.
+    double openFraction(std::size_t node) const {
+        return areas_[node] > 0 ? double(openAreas_[node]) / areas_[node] : 0.0;
+    }
+
     /// Replaces the mesh and the water of all nodes, after the cloth was cut. All nodes are then uncovered. Water that
     /// is missing compared with before is recorded as returned to the account "cut away".
     /// @param poreMass, filmMass  of each node of the new mesh, kg
@@ -109,8 +139,8 @@ class DRENCH_API Moisture {
     /// Simulates `dt` seconds, in this order:
     /// - water evaporates, or is taken up from humid air;
     /// - film is absorbed: the unfilled part of the pores falls by a factor exp(-dt / wettingTime) while film lasts;
-    /// - pore water wicks and drains, and what the pores cannot hold goes to the film;
-    /// - film runs down and drips.
+    /// - pore water wicks and drains, also between layers, and what the pores cannot hold goes to the film;
+    /// - film passes between layers, runs down and drips.
     ///
     /// Each part is divided into shorter steps where stability requires it, or solved implicitly where that would take
     /// too many steps.
@@ -169,16 +199,25 @@ class DRENCH_API Moisture {
 
     void checkWater(std::size_t node, double mass, std::size_t account) const;
     void absorb(double dt);
+    void wick(double dt, const std::vector<float>& heights, double gravity);
     void spillOver();
     void uncover();
+    void release();
+
+    struct Pressed {
+        std::size_t node;
+        double capacity;  // without pressure, kg
+    };
 
     double arealDensity_;
     double wettingTime_;
     double poreCapacity_;               // kg/m2
     std::vector<double> areas_;         // m2
-    std::vector<double> capacities_;    // of the pores, kg
+    std::vector<double> capacities_;    // of the pores, kg; less where they are pressed
     std::vector<float> openAreas_;      // not covered, m2
     std::vector<std::size_t> covered_;  // nodes that are covered or lie on a solid in this step
+    std::vector<Pressed> pressed_;      // until the end of the step
+    std::vector<LayerPair> layers_;     // that touch in this step
     std::vector<char> lying_;           // whether a node lies on a solid in this step
     std::vector<double> poreMass_;
     std::vector<double> filmMass_;

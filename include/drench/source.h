@@ -12,12 +12,19 @@
 
 namespace drench {
 
-/// Asks the world around a sheet for solid bodies that keep rain off.
+/// Asks the world around a sheet for solid bodies, and cloth that lies on it, that keep rain off.
 class DRENCH_API Shelter {
   public:
     virtual ~Shelter() = default;
     /// Whether a solid body lies between two points, m. The sheet itself does not count.
     virtual bool blocked(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const = 0;
+    /// Fraction of a node of the sheet, 0 to 1, that other cloth covers which touches it on the side that faces a
+    /// direction, such as an upper layer of a folded sheet; default 0.
+    virtual double covered(std::size_t node, const Eigen::Vector3d& towards) const {
+        static_cast<void>(node);
+        static_cast<void>(towards);
+        return 0;
+    }
 };
 
 /// State of a sheet at the start of a step. Arrays have one entry per node.

@@ -1,5 +1,6 @@
 #include "drench/fabric.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "checks/checks.h"
@@ -41,6 +42,30 @@ double Fabric::poreCapacity() const {
     return waterDensity * porosity() * thickness;
 }
 
+namespace {
+
+// Room of the pores under a pressure over that without, by van Wyk's law, in which the pressure rises with the inverse
+// cube of the room.
+double roomRatioUnder(const Fabric& fabric, double pressure) {
+    constexpr double pressureOfTest = 5000;  // Pa, of 50 gf/cm2
+    const double porosity = fabric.porosity();
+    const double pressed = (fabric.pressedThicknessRatio - (1 - porosity)) / porosity;
+    const double softness = 1 / (pressed * pressed * pressed) - 1;
+    return 1 / std::cbrt(1 + softness * pressure / pressureOfTest);
+}
+
+}  // namespace
+
+double Fabric::thicknessUnder(double pressure) const {
+    return thickness * (1 - porosity() + porosity() * roomRatioUnder(*this, pressure));
+}
+
+double Fabric::poreCapacityUnder(double pressure) const {
+    const double room = poreCapacity() * roomRatioUnder(*this, pressure);
+    const double held = pressure > entryPressure ? std::pow(entryPressure / pressure, poreSizeIndex) : 1.0;
+    return std::min(std::max(room * held, boundMaximum * arealDensity), poreCapacity());
+}
+
 const std::vector<FabricParameter>& fabricParameters() {
     static const std::vector<FabricParameter> parameters = {
         {"arealDensity", "kg/m2", 0.01, 3, &Fabric::arealDensity},
@@ -77,6 +102,8 @@ const std::vector<FabricParameter>& fabricParameters() {
         {"albedoBlue", "1", 0.001, 0.99, &Fabric::albedoBlue},
         {"scattering", "1", 0.01, 1000, &Fabric::scattering},
         {"scatteringLoss", "1", 1, 100, &Fabric::scatteringLoss},
+        {"permeabilityThrough", "m2", 1e-17, 1e-8, &Fabric::permeabilityThrough},
+        {"pressedThicknessRatio", "1", 0.02, 1, &Fabric::pressedThicknessRatio},
     };
     return parameters;
 }
@@ -111,6 +138,11 @@ void validate(const Fabric& fabric) {
                      " m and fibreDensity ", fabric.fibreDensity, " kg/m3 leave a porosity of ",
                      sixDigits(porosity),
                      "; it must lie between 0.01 and 0.999, so mend the thickness or the areal density");
+    constexpr double leastPores = 0.01;
+    if (fabric.pressedThicknessRatio < 1 - porosity + leastPores * porosity)
+        refuseFabric(fabric, "pressedThicknessRatio is ", fabric.pressedThicknessRatio,
+                     "; it must be more than the fibres alone take up, ", sixDigits(1 - porosity),
+                     " of the thickness, so raise it, up to 1, or mend the thickness");
     if (fabric.boundMaximum < minBoundOverRegain * fabric.regain)
         refuseFabric(fabric, "boundMaximum is ", fabric.boundMaximum, " kg/kg and regain ", fabric.regain,
                      " kg/kg; boundMaximum must be at least ", minBoundOverRegain,

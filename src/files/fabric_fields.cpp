@@ -147,8 +147,9 @@ void readConstruction(FieldReader& fields, Construction& construction) {
     fields.choice("construction", construction, constructions());
 }
 
-bool isInformationOnly(const FabricParameter& parameter) {
-    return parameter.member == &Fabric::contactAngle;
+bool isOptional(const FabricParameter& parameter) {
+    return parameter.member == &Fabric::contactAngle || parameter.member == &Fabric::permeabilityThrough ||
+           parameter.member == &Fabric::pressedThicknessRatio;
 }
 
 std::vector<std::string> unitsOf(const FabricParameter& parameter) {

@@ -23,8 +23,8 @@ nlohmann::ordered_json quantityJson(const FabricParameter& parameter, const Quan
 // Reads the construction, if present.
 void readConstruction(FieldReader& fields, Construction& construction);
 
-// Whether no formula uses a parameter, so that a file may omit it.
-bool isInformationOnly(const FabricParameter& parameter);
+// Whether a file without a base fabric may omit a parameter: no formula uses it, or files of version 0.2 do not have it.
+bool isOptional(const FabricParameter& parameter);
 
 // Names of the units of a parameter, its SI unit first.
 std::vector<std::string> unitsOf(const FabricParameter& parameter);

@@ -33,7 +33,7 @@ void readParameters(FieldReader& fields, Fabric& fabric, bool hasBase) {
     for (const FabricParameter& parameter : fabricParameters()) {
         Quantity& quantity = fabric.*parameter.member;
         if (files::readQuantity(fields, parameter, quantity) || hasBase) continue;
-        if (!files::isInformationOnly(parameter))
+        if (!files::isOptional(parameter))
             fields.refuse(std::string(parameter.name), "is missing; give it, in ", parameter.unit,
                           ", or say with \"like\" which ready fabric has the rest");
         quantity = {quantity.value, Provenance::assumed, "not given; that of cotton"};

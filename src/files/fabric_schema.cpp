@@ -55,7 +55,7 @@ std::string fabricSchema() {
     Json required = Json::array();
     for (const FabricParameter& parameter : fabricParameters()) {
         properties[std::string(parameter.name)] = parameterSchema(parameter);
-        if (!files::isInformationOnly(parameter)) required.push_back(parameter.name);
+        if (!files::isOptional(parameter)) required.push_back(parameter.name);
     }
     const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                          {"title", "A fabric of Drench"},

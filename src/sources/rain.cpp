@@ -77,7 +77,8 @@ void Rain::supply(const SheetPose& sheet, double dt, Supply& supply) {
         const double chance = fraction(random_);
         if (found == areaUpTo_.end()) continue;
         const auto node = static_cast<std::size_t>(found - areaUpTo_.begin());
-        const double across = std::abs(sheet.areaVector(node).dot(fall));
+        const double across =
+            std::abs(sheet.areaVector(node).dot(fall)) * (1 - sheet.shelter.covered(node, -fall));
         if (!(chance * maxStretch * sheet.mesh.areas[node] < across)) continue;
         if (!sheltered(sheet, node, fall, shelterHeight)) supply.addFilm(node, massEach, velocity);
     }

@@ -42,7 +42,8 @@ double solidAngle(const Spray& spray, const SheetPose& sheet, std::size_t node) 
     const Eigen::Vector3d direction = directionTo(spray, position);
     if (!(direction.dot(spray.direction.normalized()) >= std::cos(spray.halfAngle))) return 0;
     const double distance = std::max((position - spray.origin).norm(), nearest);
-    return std::abs(sheet.areaVector(node).dot(direction)) / (distance * distance);
+    const double open = 1 - sheet.shelter.covered(node, -direction);
+    return open * std::abs(sheet.areaVector(node).dot(direction)) / (distance * distance);
 }
 
 bool isBlocked(const Spray& spray, const SheetPose& sheet, std::size_t node) {

@@ -19,6 +19,9 @@ class ImplicitWicking {
     ImplicitWicking(const BrooksCorey& curve, double fluxScale, const std::vector<Edge>& edges,
                     const std::vector<double>& capacities);
 
+    // Sets what the pores of a node hold, kg.
+    void setCapacity(std::size_t node, double capacity) { capacities_[node] = capacity; }
+
     // @param weight      rho g, Pa/m
     // @param lowerFraction  weight of the lower node in the permeability to gravity
     void step(double dt, const std::vector<float>& heights, double weight, double lowerFraction,

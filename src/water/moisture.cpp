@@ -9,6 +9,7 @@
 #include "drench/water.h"
 #include "state/state_pass.h"
 #include "water/film_flow.h"
+#include "water/layer_wicking.h"
 #include "water/vapour_exchange.h"
 #include "water/wicking.h"
 
@@ -58,11 +59,20 @@ struct Covered {
 
 // The models that move the water, in the order of the step.
 struct Moisture::Parts {
-    Parts(const Fabric& fabric, const ClothMesh& mesh)
-        : vapour(fabric, mesh), wicking(fabric, mesh), film(mesh), level(mesh.size(), 0.0f) {}
+    Parts(const Fabric& cloth, const ClothMesh& mesh)
+        : fabric(cloth),
+          vapour(cloth, mesh),
+          wicking(cloth, mesh),
+          layers(LayerLaw(cloth), LayerLaw(cloth)),
+          layerFilm(cloth),
+          film(mesh),
+          level(mesh.size(), 0.0f) {}
 
+    const Fabric fabric;
     VapourExchange vapour;
     Wicking wicking;
+    LayerWicking layers;
+    LayerFilm layerFilm;
     FilmFlow film;
     std::vector<float> level;  // heights used if none are given
 };
@@ -156,6 +166,37 @@ void Moisture::layDown(std::size_t node) {
     covered_.push_back(node);
 }
 
+void Moisture::press(std::size_t node, double pressure) {
+    checkWater(node, 0, 0);
+    if (!(pressure >= 0 && pressure <= 1e9))
+        refuse("a pressure of ", pressure, " Pa on node ", node, "; give 0 to 1e9 Pa");
+    const double room = areas_[node] * parts_->fabric.poreCapacityUnder(pressure);
+    if (!(room < capacities_[node])) return;
+    pressed_.push_back({node, capacities_[node]});
+    capacities_[node] = room;
+}
+
+// In the order from the last one, so that a node that was pressed twice gets back what it had before.
+void Moisture::release() {
+    for (auto pressed = pressed_.rbegin(); pressed != pressed_.rend(); ++pressed)
+        capacities_[pressed->node] = pressed->capacity;
+    pressed_.clear();
+}
+
+void Moisture::joinLayers(const std::vector<LayerPair>& pairs) {
+    for (const LayerPair& pair : pairs) {
+        checkWater(pair.node, 0, 0);
+        checkWater(pair.other, 0, 0);
+        if (!(pair.area >= 0 && pair.area <= 1e6))
+            refuse("an area of ", pair.area, " m2 between nodes ", pair.node, " and ", pair.other,
+                   "; give 0 to 1e6 m2");
+        if (!(std::abs(pair.descent) <= 1 + 1e-6))
+            refuse("a descent of ", pair.descent, " between nodes ", pair.node, " and ", pair.other,
+                   "; give a cosine, -1 to 1");
+    }
+    layers_ = pairs;
+}
+
 void Moisture::recut(const Fabric& fabric, const ClothMesh& mesh, std::vector<double> poreMass,
                      std::vector<double> filmMass) {
     Moisture cut(fabric, mesh);
@@ -198,14 +239,29 @@ void Moisture::step(double dt, const Surroundings& surroundings) {
         accounts_[airAccount].supplied += vapour.condensed;
     }
     absorb(dt);
-    parts_->wicking.step(dt, heights, gravity, capacities_, poreMass_);
+    wick(dt, heights, gravity);
     spillOver();
+    if (!layers_.empty()) parts_->layerFilm.pass(dt, gravity, layers_, *this, filmMass_);
     if (dt > 0 && gravity > 0) {
         parts_->film.run(dt, heights, gravity, thickestFilm_, filmMass_);
         parts_->film.drip(heights, openAreas_, lying_, filmMass_, shed_);
         for (const Shed& shed : shed_) dripped_ += double(shed.drops) * dropMass;
     }
+    layers_.clear();
+    release();
     uncover();
+}
+
+void Moisture::wick(double dt, const std::vector<float>& heights, double gravity) {
+    Wicking& wicking = parts_->wicking;
+    const auto wholeOf = [&](std::size_t node) { return areas_[node] * poreCapacity_; };
+    for (const Pressed& pressed : pressed_)
+        wicking.setCapacity(pressed.node, capacities_[pressed.node], wholeOf(pressed.node));
+    wicking.step(dt, heights, gravity, capacities_, poreMass_);
+    for (const Pressed& pressed : pressed_)
+        wicking.setCapacity(pressed.node, wholeOf(pressed.node), wholeOf(pressed.node));
+    const LayerWicking::Store pores = {capacities_.data(), poreMass_.data()};
+    parts_->layers.step(dt, layers_, pores, pores);
 }
 
 // Exponential approach to saturation.

@@ -55,11 +55,20 @@ std::size_t Wicking::bytes() const {
     return runs_.bytes() + psi_.size() * 3 * sizeof(float);  // inverse capacities, psi, permeability
 }
 
+// Pores that are nearly closed count as a tenth of what they were, so that steps need not be shorter than by that.
+void Wicking::setCapacity(std::size_t node, double capacity, double whole) {
+    constexpr double least = 0.1;
+    const double counts = std::max(capacity, least * whole);
+    inverseCapacities_[node] = static_cast<float>(1 / counts);
+    pressedRate_ = capacity < whole ? std::max(pressedRate_, whole / counts) : 1;
+    if (implicit_) implicit_->setCapacity(node, counts);
+}
+
 double Wicking::explicitBound(double gravity) const {
     const double rate = fluxScale_ * (largestPsiRate_ * curve_.psiSlope(1) +
                                       largestGravityRate_ * EdgeRuns::allowedStretch * waterDensity *
                                           gravity * curve_.permeabilitySlope(1));
-    return rate > 0 ? 1 / rate : std::numeric_limits<double>::infinity();
+    return rate > 0 ? 1 / (rate * pressedRate_) : std::numeric_limits<double>::infinity();
 }
 
 void Wicking::step(double dt, const std::vector<float>& heights, double gravity,

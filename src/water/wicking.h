@@ -1,44 +1,15 @@
 // Pore water that moves along the cloth by capillary forces and gravity.
 #pragma once
 
-#include <cmath>
 #include <memory>
 #include <vector>
 
 #include "drench/cloth_mesh.h"
 #include "drench/fabric.h"
+#include "water/brooks_corey.h"
 #include "water/edge_runs.h"
 
 namespace drench {
-
-// Suction and conductivity of partly filled pores (Brooks & Corey 1964): capillary pressure p_c = p_b
-// s^(-1/L) and relative permeability k_r = s^(3 + 2/L) at a saturation s, and Psi = integral of k_r |dp_c/ds|
-// ds = (p_b / L) s^(3 + 1/L) / (3 + 1/L), Pa, whose differences drive wicking.
-// Unlike p_c, Psi has no singularity in dry cloth.
-class BrooksCorey {
-  public:
-    explicit BrooksCorey(const Fabric& fabric)
-        : entryPressure_(fabric.entryPressure), index_(fabric.poreSizeIndex) {}
-
-    double entryPressure() const { return entryPressure_; }
-    // L = 1 needs no powers: Psi = p_b s^4 / 4 and k_r = s^5.
-    bool isSimple() const { return index_ == 1; }
-    double psiExponent() const { return 3 + 1 / index_; }
-    double permeabilityExponent() const { return 3 + 2 / index_; }
-
-    double psi(double s) const { return psiScale() * std::pow(s, psiExponent()); }
-    double psiSlope(double s) const { return entryPressure_ / index_ * std::pow(s, psiExponent() - 1); }
-    double permeability(double s) const { return std::pow(s, permeabilityExponent()); }
-    double permeabilitySlope(double s) const {
-        return permeabilityExponent() * std::pow(s, permeabilityExponent() - 1);
-    }
-    // Psi of full pores, Pa.
-    double psiScale() const { return entryPressure_ / index_ / psiExponent(); }
-
-  private:
-    double entryPressure_;
-    double index_;
-};
 
 class ImplicitWicking;
 
@@ -63,6 +34,10 @@ class Wicking {
     Wicking& operator=(Wicking&&) noexcept;
     Wicking(const Wicking&) = delete;
     Wicking& operator=(const Wicking&) = delete;
+
+    // Sets what the pores of a node hold, kg, until it is set again: less under pressure.
+    // @param whole  without pressure, kg
+    void setCapacity(std::size_t node, double capacity, double whole);
 
     // Longest explicit step for which no mass becomes negative, s.
     double explicitBound(double gravity) const;
@@ -89,6 +64,7 @@ class Wicking {
     double longestEdge_ = 0;  // m
     EdgeRuns runs_;
     std::vector<float> inverseCapacities_;       // 1/kg; 0 for a node without cloth
+    double pressedRate_ = 1;                     // largest factor by which pressure makes a node faster
     double largestPsiRate_ = 0;                  // largest sum of conductances over capacity of a node, m2/kg
     double largestGravityRate_ = 0;              // the same for conductance x length, m3/kg
     std::vector<float> psi_;                     // for each node, mass moved per conductance in the step, kg

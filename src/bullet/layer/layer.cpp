@@ -98,7 +98,9 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       // From here on nothing throws, and the body may be changed.
       watch(body, mechanics),
       savedState(body, mechanics),
+      layers(fabric, mesh.size()),
       shelter(world),
+      shelterOfSheet(shelter, layers, mesh.areas),
       winds(mesh),
       submersion(mesh.size()),
       fluidForces(mechanics.shape, fabric),
@@ -107,6 +109,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       contacts(mesh.size()),
       arrivals(mesh.size()),
       ticks(world, *this) {
+    mechanics.touchableWater = this;
     mechanics.meetsItself = settings.meetsItself;
     mechanics.meetsSheets = settings.meetsSheets;
     mechanics.evaluate(laws, moisture);
@@ -173,7 +176,7 @@ SheetPose WetCloth::Layer::sheetPose() const {
             pose.up,
             pose.gravity,
             totalArea,
-            shelter,
+            shelterOfSheet,
             &body,
             fluidForces.floatingFraction()};
 }
@@ -254,9 +257,11 @@ void WetCloth::Layer::substep(btScalar dt) {
 
     surroundings.heights = pose.heights;
     StopWatch watchOfStages;
+    layers.read(mechanics.touches, mesh.areas, bodyStep);
     supply(bodyStep * waterSpeed);
     mechanics.times.supply += watchOfStages.lap();
     touchSolids();
+    touchCloth(bodyStep * waterSpeed);
     moveWater(bodyStep * waterSpeed);
     collectDrops();
     mechanics.times.water += watchOfStages.lap();
@@ -342,6 +347,51 @@ void WetCloth::Layer::touchSolids() {
         moisture.cover(n, oneFace);
         if (contacts[n].liesUntil >= time) moisture.layDown(n);
     }
+}
+
+Supply& WetCloth::Layer::touchAccount() {
+    if (!touching) {
+        // As of sources: sheets that even out more and more slowly may fall asleep.
+        const double noticeable = 1e-3 * laws.mass(totalArea, 0);
+        touching =
+            std::make_unique<AccountSupply>(AccountSupply::Sheet{moisture, arrivals, submersion, body, watch},
+                                            moisture.openAccount("touch"), 1, noticeable);
+    }
+    return *touching;
+}
+
+void WetCloth::Layer::touchCloth(double waterTime) {
+    const LayerTouches& touches = mechanics.touches;
+    const ClothLayers::Sheet sheet = {moisture, mesh.areas, pose.up, pose.gravity};
+    layers.press(sheet);
+    if (touches.contacts.empty()) return;
+    layers.cover(sheet);
+    layers.join(sheet, touches);
+    for (std::size_t i = 0; i < touches.others.size(); ++i)
+        if (touches.others[i]) exchangeWith(static_cast<int>(i) + 1, *touches.others[i], waterTime);
+}
+
+// The other body is known by its address, and may be gone.
+void WetCloth::Layer::exchangeWith(int number, const btSoftBody& other, double waterTime) {
+    const auto& bodies = softBodiesOf(world);
+    const int at = bodies.findLinearSearch(const_cast<btSoftBody*>(&other));
+    SheetMechanics* const others = at < bodies.size() ? BodyWatch::mechanicsOf(*bodies[at]) : nullptr;
+    if (!others || !others->touchableWater || !others->fits) return;
+    const auto isThere = [&](const LayerContact& contact) {
+        return contact.with != number ||
+               std::all_of(contact.nodes.begin() + contact.ofSheet, contact.nodes.end(),
+                           [&](int node) { return node < static_cast<int>(others->mesh.size()); });
+    };
+    const std::vector<LayerContact>& all = mechanics.touches.contacts;
+    if (!std::all_of(all.begin(), all.end(), isThere)) return;
+    TouchableWater& there = *others->touchableWater;
+    // Water that both pass must run at one speed.
+    const double speed = std::min(waterSpeed, there.speedOfWater());
+    const double passing = waterSpeed > 0 ? waterTime * (speed / waterSpeed) : 0.0;
+    layers.exchange(
+        {moisture, mesh.areas, pose.up, pose.gravity}, touchAccount(), mechanics.touches,
+        {number, there, others->mesh.areas, body.getWorldArrayIndex() < bodies[at]->getWorldArrayIndex()},
+        passing);
 }
 
 void WetCloth::Layer::moveWater(double waterTime) {

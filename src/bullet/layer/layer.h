@@ -19,6 +19,7 @@
 #include "bullet/fluid/submersion.h"
 #include "bullet/fluid/wind_at_nodes.h"
 #include "bullet/layer/account_supply.h"
+#include "bullet/layer/cloth_layers.h"
 #include "bullet/layer/saved_body_state.h"
 #include "bullet/repair/diagnostics.h"
 #include "bullet/repair/topology_watch.h"
@@ -40,7 +41,7 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 class BulletPass;
 
 // One sheet in one world. Members are in the order of a step.
-struct WetCloth::Layer final : TickListener {
+struct WetCloth::Layer final : TickListener, TouchableWater {
     Layer(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
           const SheetSettings& settings);
     ~Layer();
@@ -96,6 +97,12 @@ struct WetCloth::Layer final : TickListener {
     void setWaterSpeed(double speed);
     void supply(double waterTime);
     void touchSolids();
+    void touchCloth(double waterTime);
+    void exchangeWith(int number, const btSoftBody& other, double waterTime);
+    const Fabric& fabricOfWater() const override { return fabric; }
+    const Moisture& water() const override { return moisture; }
+    Supply& touchAccount() override;
+    double speedOfWater() const override { return waterSpeed; }
     void moveWater(double waterTime);
     void collectDrops();
     void writeBack(double bodyStep);
@@ -118,6 +125,7 @@ struct WetCloth::Layer final : TickListener {
     void waterState(BulletPass& pass);
     void mechanicsState(BulletPass& pass);
     void touchState(BulletPass& pass);
+    void layersState(BulletPass& pass);
     void airState(BulletPass& pass);
     void momentState(BulletPass& pass);
     void saveSources(StateWriter& writer) const;
@@ -150,7 +158,9 @@ struct WetCloth::Layer final : TickListener {
     BodyWatch watch;
     TopologyWatch topology;
     SavedBodyState savedState;
+    ClothLayers layers;
     RigidShelter shelter;
+    SheetShelter shelterOfSheet;
     WindAtNodes winds;
     Submersion submersion;  // of this substep, or since the last one
     FluidForces fluidForces;
@@ -161,9 +171,10 @@ struct WetCloth::Layer final : TickListener {
 
     AccountSupply application;  // for water that the application adds itself
     std::vector<Supplier> suppliers;
-    std::vector<Supplier> removed;      // kept until the end of the step
-    bool supplying = false;             // whether sources are being called
-    std::deque<NamedAccount> accounts;  // addresses stay valid
+    std::vector<Supplier> removed;            // kept until the end of the step
+    bool supplying = false;                   // whether sources are being called
+    std::deque<NamedAccount> accounts;        // addresses stay valid
+    std::unique_ptr<AccountSupply> touching;  // of water that other sheets pass; null before the first
     Pose pose;
     Surroundings surroundings;
     static constexpr std::size_t maxDropsKept = 100000;

@@ -25,6 +25,7 @@ void SheetMechanics::recut(const Fabric& fabric, RestShape restShape, ClothMesh 
     cut.smallSteps = smallSteps;
     cut.heldSubsteps = heldSubsteps;
     cut.times = times;
+    cut.touchableWater = touchableWater;
     *this = std::move(cut);
 }
 

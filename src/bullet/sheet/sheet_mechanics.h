@@ -9,6 +9,7 @@
 #include "bullet/contact/friction.h"
 #include "bullet/contact/motors.h"
 #include "bullet/contact/near_solids.h"
+#include "bullet/sheet/layer_touches.h"
 #include "bullet/sheet/rest_shape.h"
 #include "cloth/link_stiffness.h"
 #include "drench/cloth_mesh.h"
@@ -16,12 +17,25 @@
 #include "drench/fabric.h"
 #include "drench/health.h"
 #include "drench/moisture.h"
+#include "drench/source.h"
 #include "drench/wet_laws.h"
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 struct MovingSheet;
+
+// The water of a sheet, for other sheets that touch it.
+class TouchableWater {
+  public:
+    virtual const Fabric& fabricOfWater() const = 0;
+    virtual const Moisture& water() const = 0;
+    virtual Supply& touchAccount() = 0;
+    virtual double speedOfWater() const = 0;
+
+  protected:
+    ~TouchableWater() = default;
+};
 
 // Created by the layer, evaluated at the start of each substep, read by the solvers.
 struct SheetMechanics {
@@ -55,6 +69,9 @@ struct SheetMechanics {
     bool meetsSheets = true;
     Motors motors;    // of the world, in this substep
     NearSolids near;  // as the SmallStepSolver last saw them
+
+    TouchableWater* touchableWater = nullptr;  // of the layer
+    LayerTouches touches;                      // at the end of the last substep
 
     // Set by a SmallStepSolver, once it has found the sheet.
     std::shared_ptr<MovingSheet> moving;

@@ -16,6 +16,7 @@
 #include "bullet/small_steps/mesh_pairs.h"
 #include "bullet/small_steps/moving_sheet.h"
 #include "bullet/small_steps/surface_contacts.h"
+#include "bullet/small_steps/touch_lists.h"
 #include "bullet/world/body_watch.h"
 #include "bullet/world/stop_watch.h"
 #include "checks/checks.h"
@@ -179,6 +180,8 @@ struct SmallStepSolver::State {
     SurfaceContacts surfaceContacts;
     std::vector<Solving> sheets;  // during a solve
     std::vector<SurfaceContacts::Sheet> meetingSheets;
+    std::vector<TouchingSheet> touchingSheets;
+    std::vector<SheetMechanics*> sleepingSheets;
     int steps = 0;
 };
 
@@ -274,9 +277,14 @@ void SmallStepSolver::processCollision(btSoftBody* body, btSoftBody* other) {
 
 void SmallStepSolver::solveConstraints(btScalar substep) {
     state_->sheets.clear();
+    state_->sleepingSheets.clear();
     for (int i = 0; i < m_softBodySet.size(); ++i) {
         btSoftBody& body = *m_softBodySet[i];
-        if (!body.isActive()) continue;
+        if (!body.isActive()) {
+            if (SheetMechanics* const mechanics = BodyWatch::mechanicsOf(body))
+                state_->sleepingSheets.push_back(mechanics);
+            continue;
+        }
         if (SheetMechanics* const mechanics = movedHere(body))
             state_->sheets.push_back({&body, mechanics, mechanics->moving.get()});
         else if (isCut(body))
@@ -417,6 +425,9 @@ void SmallStepSolver::State::finish(btScalar substep) {
     solids.finish(sheets[0].body->m_worldInfo->m_dispatcher);
     share(&StepTimes::contacts, watch.lap());
     surfaceContacts.finish();
+    touchingSheets.clear();
+    for (const Solving& each : sheets) touchingSheets.push_back({each.body, each.mechanics, each.sheet});
+    listTouches(touchingSheets, sleepingSheets, surfaceContacts, solids);
     shareClothContacts(watch.lap());
 }
 

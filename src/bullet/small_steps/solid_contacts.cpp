@@ -309,7 +309,7 @@ void SolidContacts::writeContacts(const NodeContacts& of, const btVector3& posit
         plane.rest = 0;
         contact.solid = static_cast<std::uint32_t>(touching.solid);
         contact.touched = false;
-        contact.pushed = 0;
+        contact.pressed = contact.pushed = 0;
         std::fill(contact.dragged, contact.dragged + 3, 0.0f);
         contact.isDragged = false;
         contact.friction = float(sheetFriction_->friction(touching.surface, of.node));
@@ -492,12 +492,13 @@ void SolidContacts::goOn(std::size_t contact, btScalar depth) {
     Contact& now = contacts_[contact];
     Plane& plane = planes_[contact];
     for (std::size_t i = 0; i < contactsBefore_.size(); ++i) {
-        const Contact& before = contactsBefore_[i];
+        Contact& before = contactsBefore_[i];
         if (before.solid != now.solid) continue;
         if (planesBefore_[i].candidate != plane.candidate &&
             !faceAlike(vector(before.normal), vector(now.normal)))
             continue;
         now.touched = now.touched || before.touched;
+        now.pressed += std::exchange(before.pressed, 0.0f);
         if (before.pushed > now.pushed) {
             now.pushed = before.pushed;
             std::copy(before.dragged, before.dragged + 3, now.dragged);
@@ -571,6 +572,7 @@ void SolidContacts::hold(std::size_t contact, SmallStepSheet& sheet, std::size_t
     const auto before = btScalar(std::exchange(holding.pushed, 0.0f));
     if (depth > 0 || before > 0) sheet.setCarried(n);
     const btScalar push = law.push(before + depth / (inverseMass + btScalar(holding.response)));
+    holding.pressed += std::max(float(push), 0.0f);
     const btScalar most = law.maxFriction(push);
     const Slip slip = slipOf(contact, sheet, n, solid, normal);
     btVector3 total = normal * (push - before);
@@ -587,6 +589,10 @@ void SolidContacts::hold(std::size_t contact, SmallStepSheet& sheet, std::size_t
 ContactLaw SolidContacts::lawOf(const Contact& contact, const SmallStepSheet& sheet) {
     const auto h = btScalar(sheet.smallStep());
     return {btScalar(contact.friction), contact.adheres ? btScalar(contact.adhesion) * h * h : btScalar(0)};
+}
+
+btVector3 SolidContacts::normalOf(const Contact& contact, const Solids& solids) {
+    return solids[contact.solid].turned(vector(contact.normal));
 }
 
 bool SolidContacts::hasTouched() const {

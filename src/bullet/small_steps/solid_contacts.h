@@ -41,6 +41,16 @@ class SolidContacts {
     // Keeps nodes on their side of the planes for now, so that other cloth finds them carried; `solve` then goes on
     // from there.
     void carry(SmallStepSheet& sheet, Solids& solids);
+    // Calls a function with each node that a solid presses, the normal from the solid to it, and the mean force in the
+    // substep, N.
+    template <typename Function>
+    void forEachForce(const Solids& solids, double substep, double smallStep, Function function) const {
+        for (const NodeContacts& of : nodes_)
+            for (std::size_t i = of.firstContact; i < of.firstContact + of.contacts; ++i)
+                if (contacts_[i].pressed > 0)
+                    function(of.node, normalOf(contacts_[i], solids),
+                             double(contacts_[i].pressed) / (smallStep * substep));
+    }
     // Keeps nodes on their side of the planes, with Coulomb friction along them.
     void solve(SmallStepSheet& sheet, Solids& solids);
     // Writes the contacts that have touched to m_rcontacts, and the adhesive bonds to the Friction of the sheet.
@@ -83,6 +93,7 @@ class SolidContacts {
         float friction;       // friction coefficient
         float adhesion;       // adhesive force, N
         float response;       // of the solid, 1/kg
+        float pressed;        // sum of the impulses of the substep, times the small step, kg m
         float pushed;         // by `carry` in this small step, as an impulse times that step, kg m
         float dragged[3];     // and its friction, the same
         std::uint32_t solid;  // index
@@ -145,6 +156,7 @@ class SolidContacts {
     Slip slipOf(std::size_t contact, SmallStepSheet& sheet, std::size_t n, const Solid& solid,
                 const btVector3& normal) const;
     static btVector3 rub(Contact& contact, const Slip& slip, btScalar most);
+    static btVector3 normalOf(const Contact& contact, const Solids& solids);
     static ContactLaw lawOf(const Contact& contact, const SmallStepSheet& sheet);
     void hold(std::size_t contact, SmallStepSheet& sheet, std::size_t n, Solid& solid, btScalar depth);
 

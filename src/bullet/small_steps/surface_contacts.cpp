@@ -332,6 +332,40 @@ void SurfaceContacts::finish() {
         if (cloths_[c].guest) cloths_[c].guest->finish(*cloths_[c].body, smallStep_);
 }
 
+// Layers at rest may open by a little from one small step to the next.
+bool SurfaceContacts::isActing(const PairContact& contact) {
+    constexpr float near = 0.1f;
+    const bool isPushed = contact.touched || contact.forces.push > 0;
+    return contact.isActive && (isPushed || contact.gapAt(contact.apart()) < near * contact.distance);
+}
+
+SurfaceContacts::Acting SurfaceContacts::acting(const ClothPair& pair, const PairContact& contact) const {
+    const MeetingCloth &cloth = clothOfNode(pair, contact), &other = clothOfFace(pair, contact);
+    Acting acting{cloth.body,     other.body, contact.isOfEdges ? 2 : 1,          {}, {},
+                  contact.normal, 0,          std::max(contact.forces.push, 0.0f)};
+    if (contact.isOfEdges) {
+        const std::array<int, 2>&ends = cloth.tree->edges()[static_cast<std::size_t>(contact.edge)].nodes,
+                              &others = other.tree->edges()[static_cast<std::size_t>(contact.face)].nodes;
+        acting.nodes = {ends[0], ends[1], others[0], others[1]};
+    } else {
+        const std::array<int, 3>& corners = other.tree->faces()[static_cast<std::size_t>(contact.face)].nodes;
+        acting.nodes = {contact.node, corners[0], corners[1], corners[2]};
+        const auto node = static_cast<std::size_t>(contact.node);
+        acting.area = cloth.sheetFriction ? float(cloth.sheetFriction->area(node))
+                                          : float(cloth.body->m_nodes[contact.node].m_area);
+    }
+    // The nearest point of a plane that turned may be beyond its face.
+    std::array<float, 2> sums = {0, 0};
+    const auto sideOf = [&](int corner) { return corner < acting.ofFirst ? std::size_t{0} : std::size_t{1}; };
+    const auto weightOf = [&](int corner) {
+        return std::max(sideOf(corner) == 0 ? contact.weights[corner] : -contact.weights[corner], 0.0f);
+    };
+    for (int corner = 0; corner < 4; ++corner) sums[sideOf(corner)] += weightOf(corner);
+    for (int corner = 0; corner < 4; ++corner)
+        acting.weights[static_cast<std::size_t>(corner)] = weightOf(corner) / sums[sideOf(corner)];
+    return acting;
+}
+
 // Tells other code that reads Bullet's lists which nodes and faces touch.
 void SurfaceContacts::list(const ClothPair& pair, const PairContact& contact) const {
     const float gap = contact.gapAt(contact.apart());

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 #include <vector>
@@ -68,6 +69,24 @@ class SurfaceContacts {
     // @return the farthest that a contact has moved cloth, as a fraction of the distance that it keeps
     float solve(bool backwards);
     void endStep();
+    // A contact that acts, between points of two cloths, or of one. Either point is given by nodes and weights that add
+    // up to 1.
+    struct Acting {
+        btSoftBody *first, *second;
+        int ofFirst;  // number of nodes that are of the first
+        std::array<int, 4> nodes;
+        std::array<float, 4> weights;
+        Eigen::Vector3f normal;  // from the second to the first
+        float area;              // of the node on a face, m2; 0 for edges
+        float force;             // along the normal, N; at least 0
+    };
+    // Calls a function with each, as of the last small step.
+    template <typename Function>
+    void forEachActing(Function function) const {
+        for (std::size_t p = 0; p < pairCount_; ++p)
+            for (const PairContact& contact : pairs_[p].contacts)
+                if (isActing(contact)) function(acting(pairs_[p], contact));
+    }
     // Writes the contacts that have touched to the lists of the bodies, the new positions of guests, and the
     // adhesive bonds of sheets.
     void finish();
@@ -97,6 +116,8 @@ class SurfaceContacts {
     const MeetingCloth& clothOfFace(const ClothPair& pair, const PairContact& contact) const {
         return cloths_[contact.isOfOther ? pair.one : pair.other];
     }
+    static bool isActing(const PairContact& contact);
+    Acting acting(const ClothPair& pair, const PairContact& contact) const;
     void list(const ClothPair& pair, const PairContact& contact) const;
 
     std::vector<std::pair<btSoftBody*, btSoftBody*>> met_;

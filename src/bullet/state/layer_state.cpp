@@ -216,6 +216,27 @@ void WetCloth::Layer::touchState(BulletPass& pass) {
         pass.number(contact.liesUntil);
     }
     pass.number(touchedUntil);
+    layersState(pass);
+}
+
+// Drench 0.2 knew no layers.
+void WetCloth::Layer::layersState(BulletPass& pass) {
+    if (pass.restores()) {
+        mechanics.touches = LayerTouches();
+        mechanics.touches.areListed = mechanics.moving != nullptr;
+        layers = ClothLayers(fabric, mesh.size());
+    }
+    const bool isUntouched = mechanics.touches.contacts.empty() && !layers.isPressed() && !touching;
+    if (pass.saves() ? isUntouched : !pass.hasMore()) return;
+    mechanics.touches.state(pass, mesh.size());
+    pass.part(layers);
+    const bool passes = pass.value(touching != nullptr);
+    if (!passes) return;
+    if (pass.restores()) touchAccount();
+    if (touching) return pass.part(*touching);
+    // In a check nothing is made.
+    AccountSupply unused({moisture, arrivals, submersion, body, watch}, 0, 1, 0);
+    pass.part(unused);
 }
 
 void WetCloth::Layer::airState(BulletPass& pass) {

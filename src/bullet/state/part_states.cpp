@@ -9,6 +9,8 @@
 #include "bullet/fluid/submersion.h"
 #include "bullet/fluid/wind_at_nodes.h"
 #include "bullet/layer/account_supply.h"
+#include "bullet/layer/cloth_layers.h"
+#include "bullet/sheet/layer_touches.h"
 #include "bullet/small_steps/contact_memory.h"
 #include "bullet/small_steps/small_step_sheet.h"
 #include "bullet/state/bullet_pass.h"
@@ -99,6 +101,45 @@ void ContactMemory::state(BulletPass& pass) {
         },
         1u << 24);
     if (pass.restores()) contacts_ = all;
+}
+
+void LayerTouches::state(BulletPass& pass, std::size_t nodes) {
+    std::vector<const btSoftBody*> cloths = others;
+    pass.list(
+        cloths,
+        [&](const btSoftBody*& other) {
+            other = static_cast<const btSoftBody*>(
+                pass.object(pass.saves() ? other : nullptr, BulletPass::Which::soft));
+        },
+        1u << 16);
+    std::vector<LayerContact> all;
+    if (pass.saves()) all = contacts;
+    pass.list(
+        all,
+        [&](LayerContact& contact) {
+            contact.with = pass.value(contact.with, -1, 1 << 16);
+            contact.ofSheet = pass.value(contact.ofSheet, 1, 3);
+            const int ofSheet = contact.with == LayerContact::itself ? 4 : contact.ofSheet;
+            for (int i = 0; i < 4; ++i) {
+                const double last = i < ofSheet ? double(nodes) - 1 : std::numeric_limits<int>::max();
+                int& node = contact.nodes[static_cast<std::size_t>(i)];
+                node = pass.value(node, 0, last);
+            }
+            for (float& weight : contact.weights) weight = pass.value(weight, 0, 1);
+            for (float* const part : {&contact.towards.x(), &contact.towards.y(), &contact.towards.z(),
+                                      &contact.area, &contact.force})
+                *part = pass.value(*part, -1e9, 1e9);
+        },
+        1u << 24);
+    pass.flag(areListed);
+    if (!pass.restores()) return;
+    others = cloths;
+    contacts = all;
+}
+
+void ClothLayers::state(BulletPass& pass) {
+    pass.numbers(pressures_, 0, 1e12);
+    pass.flag(isPressed_);
 }
 
 void StockContacts::state(BulletPass& pass) {
