@@ -34,7 +34,8 @@ class DRENCH_API WetBody final : public Source {
     const btCollisionObject* body_;
 };
 
-/// Water transfer between two sheets that touch. Between a node and the face that it touches, pore saturations even out
+/// Water transfer between two sheets that touch, for worlds without a SmallStepSolver. Layers of cloth that such a solver
+/// moves pass water by themselves, as `Moisture::joinLayers` describes, and this source then does nothing. Otherwise, between a node and the face that it touches, pore saturations even out
 /// with the slower of the two wetting times, and film thicknesses with a time constant of 0.1 s (both assumed). Faces
 /// in contact do not dry. Add it to one of the two sheets. Contacts are those that Bullet lists between soft bodies:
 /// btSoftBody::m_scontacts, for which both bodies need fCollision::VF_SS in m_cfg.collisions or a SmallStepSolver; in

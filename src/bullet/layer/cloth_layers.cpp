@@ -57,8 +57,11 @@ void ClothLayers::cover(const Sheet& sheet) const {
 void ClothLayers::press(const Sheet& sheet) const {
     if (!isPressed_) return;
     for (std::size_t node = 0; node < pressures_.size(); ++node)
-        if (double(pressures_[node]) > leastPressure && sheet.areas[node] > 0)
-            sheet.moisture.press(node, double(pressures_[node]));
+        if (pressure(node) > 0 && sheet.areas[node] > 0) sheet.moisture.press(node, pressure(node));
+}
+
+double ClothLayers::pressure(std::size_t node) const {
+    return double(pressures_[node]) > leastPressure ? double(pressures_[node]) : 0.0;
 }
 
 bool ClothLayers::isWet(const Moisture& moisture, const std::vector<LayerPair>& pairs, bool isOther) const {
@@ -94,8 +97,14 @@ void ClothLayers::movePores(const Sheet& sheet, Supply& supply, const Partner& p
     const LayerWicking wicking(LayerLaw(fabric_), LayerLaw(partner.water.fabricOfWater()));
     poresHere_ = sheet.moisture.poreMass();
     poresThere_ = there.poreMass();
+    // The other sheet is pressed only within its own step.
+    const Fabric& fabricThere = partner.water.fabricOfWater();
+    roomThere_ = there.poreCapacities();
+    for (const LayerPair& pair : pairs)
+        if (const double on = partner.water.pressureOn(pair.other); on > 0)
+            roomThere_[pair.other] = partner.areas[pair.other] * fabricThere.poreCapacityUnder(on);
     wicking.step(waterTime, pairs, {sheet.moisture.poreCapacities().data(), poresHere_.data()},
-                 {there.poreCapacities().data(), poresThere_.data()});
+                 {roomThere_.data(), poresThere_.data()});
     const auto apply = [](std::vector<double>& pores, const Moisture& moisture, Supply& of,
                           std::size_t node) {
         const double more = pores[node] - moisture.poreMass()[node];

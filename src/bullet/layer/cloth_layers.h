@@ -29,6 +29,9 @@ class ClothLayers {
     // Fraction of a node that cloth covers on the side that faces a direction.
     double covered(std::size_t node, const Eigen::Vector3d& towards, double area) const;
 
+    // Mean pressure on a node in the last time, Pa; 0 where it is too small to matter.
+    double pressure(std::size_t node) const;
+
     // A layer, and the direction upwards, which is zero without gravity.
     struct Sheet {
         Moisture& moisture;
@@ -67,8 +70,8 @@ class ClothLayers {
     LayerContacts contacts_;
     LayerFilm film_;
     bool isPressed_ = false;
-    std::vector<float> pressures_;                // mean of the last time, of each node, Pa
-    std::vector<double> poresHere_, poresThere_;  // kg
+    std::vector<float> pressures_;                            // mean of the last time, of each node, Pa
+    std::vector<double> poresHere_, poresThere_, roomThere_;  // kg
 };
 
 // Shelter by solids, and by layers of cloth on the sheet.

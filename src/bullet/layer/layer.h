@@ -103,6 +103,7 @@ struct WetCloth::Layer final : TickListener, TouchableWater {
     const Moisture& water() const override { return moisture; }
     Supply& touchAccount() override;
     double speedOfWater() const override { return waterSpeed; }
+    double pressureOn(std::size_t node) const override { return layers.pressure(node); }
     void moveWater(double waterTime);
     void collectDrops();
     void writeBack(double bodyStep);

@@ -117,6 +117,7 @@ void Touch::supply(const SheetPose& sheet, double dt, Supply& supply) {
     const std::shared_ptr<WetCloth::Layer> other = other_.lock();
     if (!sheet.body || !other || !other->watch.bodyIsAlive() || !other->body.getBroadphaseHandle()) return;
     if (!other->fits() || other->topology.hasMoved(other->body)) return;
+    if (other->mechanics.touches.areListed) return;
     findPairs(*static_cast<const btSoftBody*>(sheet.body), other->body);
     weightsHere_.assign(sheet.mesh.size(), 0.0);
     weightsThere_.assign(other->mesh.size(), 0.0);

@@ -32,6 +32,7 @@ class TouchableWater {
     virtual const Moisture& water() const = 0;
     virtual Supply& touchAccount() = 0;
     virtual double speedOfWater() const = 0;
+    virtual double pressureOn(std::size_t node) const = 0;  // Pa
 
   protected:
     ~TouchableWater() = default;

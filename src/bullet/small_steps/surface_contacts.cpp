@@ -355,14 +355,15 @@ SurfaceContacts::Acting SurfaceContacts::acting(const ClothPair& pair, const Pai
                                           : float(cloth.body->m_nodes[contact.node].m_area);
     }
     // The nearest point of a plane that turned may be beyond its face.
-    std::array<float, 2> sums = {0, 0};
-    const auto sideOf = [&](int corner) { return corner < acting.ofFirst ? std::size_t{0} : std::size_t{1}; };
-    const auto weightOf = [&](int corner) {
-        return std::max(sideOf(corner) == 0 ? contact.weights[corner] : -contact.weights[corner], 0.0f);
-    };
-    for (int corner = 0; corner < 4; ++corner) sums[sideOf(corner)] += weightOf(corner);
+    float ofFirst = 0, ofSecond = 0;
+    for (int corner = 0; corner < 4; ++corner) {
+        const bool isFirst = corner < acting.ofFirst;
+        const float weight = std::max(contact.weights[corner] * (isFirst ? 1.0f : -1.0f), 0.0f);
+        acting.weights[static_cast<std::size_t>(corner)] = weight;
+        (isFirst ? ofFirst : ofSecond) += weight;
+    }
     for (int corner = 0; corner < 4; ++corner)
-        acting.weights[static_cast<std::size_t>(corner)] = weightOf(corner) / sums[sideOf(corner)];
+        acting.weights[static_cast<std::size_t>(corner)] /= corner < acting.ofFirst ? ofFirst : ofSecond;
     return acting;
 }
 

@@ -140,38 +140,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"shortSteps", 3, 9, 0, 0, false, Base::ground, 0, 240}),
     [](const testing::TestParamInfo<Case>& of) { return std::string(of.param.name); });
 
-// A sheet whose half is folded over the other, a few margins above it.
-std::unique_ptr<btSoftBody> foldedSheet(btSoftBodyWorldInfo& info, double side, int nodes) {
-    auto sheet = test::levelSheet(info, fabrics::cottonPlain(), side, nodes, 0);
-    const double radius = 2.5 * double(sheet->getCollisionShape()->getMargin()), arc = 3.14159265 * radius;
-    for (int n = 0; n < sheet->m_nodes.size(); ++n) {
-        btVector3& x = sheet->m_nodes[n].m_x;
-        const double along = double(x.x()), angle = std::clamp(along / radius, 0.0, arc / radius);
-        const double beyond = std::max(along - arc, 0.0);
-        x.setX(btScalar(along < 0 ? along : radius * std::sin(angle) - beyond));
-        x.setY(btScalar(radius * (1 - std::cos(angle)) + 0.02));
-        sheet->m_nodes[n].m_q = x;
-    }
-    return sheet;
-}
-
-// Material coordinates of the sheet before it was folded.
-std::vector<Eigen::Vector2d> levelCoordinates(double side, int nodes) {
-    std::vector<Eigen::Vector2d> all;
-    for (int row = 0; row < nodes; ++row)
-        for (int column = 0; column < nodes; ++column)
-            all.emplace_back(side * column / (nodes - 1), side * row / (nodes - 1));
-    return all;
-}
-
 TEST(ClothFold, LiesInTwoLayersAndRests) {
     constexpr int nodes = 33;
     constexpr double side = 0.5;
     test::SmallStepWorld rig;
     rig.bullet().addGround(0);
-    btSoftBody& sheet = rig.add(foldedSheet(rig.info(), side, nodes));
+    btSoftBody& sheet = rig.add(test::foldedSheet(rig.info(), side, nodes));
     SheetSettings settings;
-    settings.materialCoordinates = levelCoordinates(side, nodes);
+    settings.materialCoordinates = test::levelCoordinates(side, nodes);
     rig.cover(sheet, fabrics::cottonPlain(), settings);
     for (int frame = 0; frame < 240; ++frame) {
         rig.run(1.0 / 60);
@@ -237,9 +213,9 @@ TEST(ClothOnCloth, SticksUpToItsFrictionAndThenSlides) {
 TEST(ClothFold, PassesThroughItselfOnlyIfSaidSo) {
     test::SmallStepWorld rig;
     rig.bullet().addGround(0);
-    btSoftBody& sheet = rig.add(foldedSheet(rig.info(), 0.5, 17));
+    btSoftBody& sheet = rig.add(test::foldedSheet(rig.info(), 0.5, 17));
     SheetSettings settings;
-    settings.materialCoordinates = levelCoordinates(0.5, 17);
+    settings.materialCoordinates = test::levelCoordinates(0.5, 17);
     settings.meetsItself = false;
     rig.cover(sheet, fabrics::cottonPlain(), settings);
     rig.run(2);

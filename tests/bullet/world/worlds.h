@@ -138,6 +138,30 @@ inline std::unique_ptr<btSoftBody> levelSheet(btSoftBodyWorldInfo& info, const F
                      nodes, nodes);
 }
 
+// A sheet whose half is folded over the other, a few margins above it.
+inline std::unique_ptr<btSoftBody> foldedSheet(btSoftBodyWorldInfo& info, double side, int nodes) {
+    auto sheet = levelSheet(info, fabrics::cottonPlain(), side, nodes, 0);
+    const double radius = 2.5 * double(sheet->getCollisionShape()->getMargin()), arc = 3.14159265 * radius;
+    for (int n = 0; n < sheet->m_nodes.size(); ++n) {
+        btVector3& x = sheet->m_nodes[n].m_x;
+        const double along = double(x.x()), angle = std::clamp(along / radius, 0.0, arc / radius);
+        const double beyond = std::max(along - arc, 0.0);
+        x.setX(btScalar(along < 0 ? along : radius * std::sin(angle) - beyond));
+        x.setY(btScalar(radius * (1 - std::cos(angle)) + 0.02));
+        sheet->m_nodes[n].m_q = x;
+    }
+    return sheet;
+}
+
+// Material coordinates of the sheet before it was folded.
+inline std::vector<Eigen::Vector2d> levelCoordinates(double side, int nodes) {
+    std::vector<Eigen::Vector2d> all;
+    for (int row = 0; row < nodes; ++row)
+        for (int column = 0; column < nodes; ++column)
+            all.emplace_back(side * column / (nodes - 1), side * row / (nodes - 1));
+    return all;
+}
+
 inline void setVelocity(btSoftBody& body, const btVector3& velocity) {
     for (int n = 0; n < body.m_nodes.size(); ++n) body.m_nodes[n].m_v = velocity;
 }
