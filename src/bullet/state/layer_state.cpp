@@ -17,6 +17,9 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 
 namespace {
 
+// The last parameters of a fabric, which snapshots of format 1 do not have.
+constexpr std::ptrdiff_t parametersSinceFormat1 = 2;
+
 template <typename... Parts>
 [[noreturn]] void refuseSheet(const Parts&... parts) {
     refuse<std::runtime_error>("the snapshot is of another sheet: ", parts...);
@@ -150,13 +153,17 @@ void WetCloth::Layer::restoreSections(const Snapshot& snapshot) {
 // Constant data, to recognise another sheet.
 void WetCloth::Layer::clothState(BulletPass& pass) {
     const std::string name = pass.value(fabric.name);
-    checkSame("parameters of its fabric", pass.count(fabricParameters().size()), fabricParameters().size());
-    for (const FabricParameter& parameter : fabricParameters()) {
+    const std::vector<FabricParameter>& parameters = fabricParameters();
+    const auto check = [&](const FabricParameter& parameter) {
         const double here = fabric.*parameter.member, saved = pass.value(here);
         if (saved != here)
             refuseSheet("the ", parameter.name, " of its fabric, ", name, ", is ", saved, ' ', parameter.unit,
                         ", and that of this one's, ", fabric.name, ", is ", here);
-    }
+    };
+    const auto ofFormat1 = parameters.end() - parametersSinceFormat1;
+    const auto count = static_cast<std::size_t>(ofFormat1 - parameters.begin());
+    checkSame("parameters of its fabric", pass.count(count), count);
+    std::for_each(parameters.begin(), ofFormat1, check);
     for (std::size_t i = 0; i < mechanics.shape.restLengths.size(); ++i) {
         const auto here = double(mechanics.shape.restLengths[i]);
         checkAlike("the end of link", i, pass.value(static_cast<float>(here)), here);
@@ -164,6 +171,13 @@ void WetCloth::Layer::clothState(BulletPass& pass) {
     for (std::size_t n = 0; n < coordinates.size(); ++n)
         for (const double here : coordinates[n])
             checkAlike("the material coordinate of node", n, pass.value(static_cast<float>(here)), here);
+    // Drench 0.2 did not have them; cotton's are left out.
+    const Fabric cotton;
+    const auto isCottons = [&](const FabricParameter& parameter) {
+        return double(fabric.*parameter.member) == double(cotton.*parameter.member);
+    };
+    if (pass.saves() ? std::all_of(ofFormat1, parameters.end(), isCottons) : !pass.hasMore()) return;
+    std::for_each(ofFormat1, parameters.end(), check);
 }
 
 void WetCloth::Layer::bodyState(BulletPass& pass) {

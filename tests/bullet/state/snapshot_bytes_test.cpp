@@ -87,8 +87,9 @@ Fabric fabricOfFile() {
     Fabric fabric;
     fabric.name = cloth.text();
     const std::uint64_t count = cloth.whole(8);
-    EXPECT_EQ(count, fabricParameters().size());
-    for (const FabricParameter& parameter : fabricParameters()) fabric.*parameter.member = cloth.real(8);
+    EXPECT_EQ(count, 34u) << "of format 1";
+    for (std::uint64_t i = 0; i < count; ++i)
+        fabric.*fabricParameters()[static_cast<std::size_t>(i)].member = cloth.real(8);
     return fabric;
 }
 
