@@ -14,7 +14,8 @@ namespace drench {
 
 /// Rain, in single drops. Each drop lands on a random node, with a probability proportional to the area of the node
 /// projected along the direction of fall. One ray per drop, from the node opposite to that direction, tests whether a
-/// solid body shelters the node. The same seed gives the same drops on one platform. Cloth that is stretched to more
+/// solid body shelters the node. Cloth that lies on the node, such as the upper layer of a folded sheet, keeps the drop
+/// off where it covers it (with a SmallStepSolver). The same seed gives the same drops on one platform. Cloth that is stretched to more
 /// than 1.5 times its rest area catches no more than at 1.5 times.
 class DRENCH_API Rain final : public Source {
   public:

@@ -15,7 +15,8 @@ namespace drench {
 /// that its projected area fills; water that misses the sheet is not supplied. A cone that is narrower than the
 /// distance between nodes may pass between them. Solid bodies give shelter: each step tests `raysPerStep` nodes with
 /// one ray each, cycling through all nodes. A result is kept until the node is tested again; a node that was never
-/// tested counts as not sheltered.
+/// tested counts as not sheltered. Cloth that lies on a node, such as the upper layer of a folded sheet, keeps the water
+/// off where it covers it (with a SmallStepSolver).
 class DRENCH_API Spray final : public Source {
   public:
     Eigen::Vector3d origin;     ///< position of the nozzle, m

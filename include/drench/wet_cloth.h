@@ -85,10 +85,12 @@ struct SheetSettings {
     bool mayBeInPieces = false;
 
     /// Whether a SmallStepSolver keeps the layers of the sheet apart where it is folded; default true. Without such a
-    /// solver a sheet passes through itself.
+    /// solver a sheet passes through itself. Layers that touch wick into each other (see `Moisture::joinLayers`); faces
+    /// that are covered do not dry, drip or catch rain.
     bool meetsItself = true;
 
-    /// Whether a SmallStepSolver keeps the sheet apart from all other sheets of which this is true; default true. Other
+    /// Whether a SmallStepSolver keeps the sheet apart from all other sheets of which this is true; default true. They
+    /// pass water as layers of one sheet do, in the ledger account "touch" of both, at the lower of both water speeds. Other
     /// soft bodies, and all sheets without such a solver, need fCollision::VF_SS in both bodies' m_cfg.collisions.
     bool meetsSheets = true;
 };

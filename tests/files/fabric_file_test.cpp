@@ -127,6 +127,15 @@ TEST(FabricFile, NamesTheKeyThatIsOff) {
     expectRefused(std::string(2u << 20, ' '), {"1 MB"});
 }
 
+TEST(FabricFile, FilesOfVersion02HaveNoParametersOfLayers) {
+    nlohmann::json json = nlohmann::json::parse(fabricText(fabrics::denim()));
+    for (const char* const parameter : {"permeabilityThrough", "pressedThicknessRatio"}) json.erase(parameter);
+    const Fabric read = fabricFromText(json.dump()), cotton;
+    EXPECT_EQ(read.permeabilityThrough, cotton.permeabilityThrough);
+    EXPECT_EQ(read.pressedThicknessRatio, cotton.pressedThicknessRatio);
+    EXPECT_EQ(read.pressedThicknessRatio.provenance, Provenance::assumed);
+}
+
 TEST(FabricFile, WhatNoLawReadsMayBeLeftOut) {
     Fabric fabric = fabrics::wool();
     fabric.contactAngle = {93, Provenance::measured, "own, 2026"};

@@ -17,10 +17,12 @@
 #include "drench/fabric.h"
 #include "drench/health.h"
 #include "drench/moisture.h"
-#include "drench/source.h"
 #include "drench/wet_laws.h"
 
 namespace drench {
+
+class Supply;
+
 inline namespace DRENCH_BULLET_NAMESPACE {
 
 struct MovingSheet;
