@@ -11,12 +11,11 @@ namespace {
 // Time over which the force of a contact is averaged, s (assumed): water needs about as long to get out, and forces of
 // contacts vary from step to step.
 constexpr double pressingTime = 0.05;
-constexpr double leastPressure = 1;  // Pa; less squeezes nothing out
 
 }  // namespace
 
-ClothLayers::ClothLayers(const Fabric& fabric, std::size_t nodes)
-    : fabric_(fabric), film_(fabric), pressures_(nodes) {
+ClothLayers::ClothLayers(const Fabric& fabric, std::size_t nodes, double lightPressure)
+    : fabric_(fabric), film_(fabric), leastPressure_(lightPressure), pressures_(nodes) {
     sides_.clear(nodes);
 }
 
@@ -61,7 +60,7 @@ void ClothLayers::press(const Sheet& sheet) const {
 }
 
 double ClothLayers::pressure(std::size_t node) const {
-    return double(pressures_[node]) > leastPressure ? double(pressures_[node]) : 0.0;
+    return double(pressures_[node]) > leastPressure_ ? double(pressures_[node]) : 0.0;
 }
 
 bool ClothLayers::isWet(const Moisture& moisture, const std::vector<LayerPair>& pairs, bool isOther) const {

@@ -21,7 +21,8 @@ class BulletPass;
 
 class ClothLayers {
   public:
-    ClothLayers(const Fabric& fabric, std::size_t nodes);
+    // @param lightPressure  that squeezes hardly anything out, Pa
+    ClothLayers(const Fabric& fabric, std::size_t nodes, double lightPressure);
 
     // Reads the contacts of the last substep. @param bodyStep  of the body's time since then, s
     // @param areas  of the nodes, m2
@@ -69,6 +70,7 @@ class ClothLayers {
     ContactSides sides_;
     LayerContacts contacts_;
     LayerFilm film_;
+    double leastPressure_;  // that matters, Pa
     bool isPressed_ = false;
     std::vector<float> pressures_;                            // mean of the last time, of each node, Pa
     std::vector<double> poresHere_, poresThere_, roomThere_;  // kg

@@ -98,7 +98,7 @@ WetCloth::Layer::Layer(btDiscreteDynamicsWorld& aWorld, btSoftBody& sheet, const
       // From here on nothing throws, and the body may be changed.
       watch(body, mechanics),
       savedState(body, mechanics),
-      layers(fabric, mesh.size()),
+      layers(fabric, mesh.size(), mechanics.lightPressure),
       shelter(world),
       shelterOfSheet(shelter, layers, mesh.areas),
       winds(mesh),

@@ -106,7 +106,7 @@ void WetCloth::Layer::refit() {
     savedState.recut(body, mechanics, oldAreas, dryMasses());
     coordinates = nodeCoordinates(mesh);
     totalArea = std::accumulate(mesh.areas.begin(), mesh.areas.end(), 0.0);
-    layers = ClothLayers(fabric, mesh.size());
+    layers = ClothLayers(fabric, mesh.size(), mechanics.lightPressure);
     winds = WindAtNodes(mesh);
     submersion = Submersion(mesh.size());
     fluidForces = FluidForces(mechanics.shape, fabric);

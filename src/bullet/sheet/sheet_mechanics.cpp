@@ -1,9 +1,17 @@
 #include "bullet/sheet/sheet_mechanics.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
+
+namespace {
+
+// Pa; it leaves pores less than half a per cent less room.
+constexpr double weightOfFewLayers = 10;
+
+}  // namespace
 
 SheetMechanics::SheetMechanics(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh)
     : shape(std::move(restShape)),
@@ -13,6 +21,7 @@ SheetMechanics::SheetMechanics(const Fabric& fabric, RestShape restShape, ClothM
       bendingFriction(fabric.bendingFriction),
       dryStiffness(linkStiffness(fabric, mesh, shape.links)),
       sheetFriction(fabric, mesh),
+      lightPressure(std::min(weightOfFewLayers, double(fabric.entryPressure))),
       masses(shape.nodeAreas.size()),
       saturations(shape.nodeAreas.size()),
       stretchRatios(shape.nodeAreas.size()),

@@ -58,6 +58,7 @@ struct SheetMechanics {
     double bendingFriction;  // bending friction of the dry cloth, N
     std::vector<LinkStiffness> dryStiffness;
     Friction sheetFriction;
+    double lightPressure;  // that squeezes hardly anything out of the cloth, Pa
 
     // For each node, in this substep.
     std::vector<double> masses;                 // kg

@@ -50,6 +50,12 @@ void listTouches(const std::vector<TouchingSheet>& sheets, const std::vector<She
         touches.begin();
         each.sheet->contacts.forEachForce(solids, each.sheet->cloth.substep(), each.sheet->cloth.smallStep(),
                                           [&](std::size_t node, const btVector3& normal, double force) {
+                                              // Most cloth that lies on a solid is not squeezed. What varies around what counts is listed.
+                                              constexpr double ofWhatCounts = 0.5;
+                                              const double light =
+                                                  ofWhatCounts * each.mechanics->lightPressure;
+                                              if (force < light * each.mechanics->shape.nodeAreas[node])
+                                                  return;
                                               touches.contacts.push_back({LayerContact::solid,
                                                                           1,
                                                                           {static_cast<int>(node), 0, 0, 0},

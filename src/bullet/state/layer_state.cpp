@@ -238,7 +238,7 @@ void WetCloth::Layer::layersState(BulletPass& pass) {
     if (pass.restores()) {
         mechanics.touches = LayerTouches();
         mechanics.touches.areListed = mechanics.moving != nullptr;
-        layers = ClothLayers(fabric, mesh.size());
+        layers = ClothLayers(fabric, mesh.size(), mechanics.lightPressure);
     }
     const bool isUntouched = mechanics.touches.contacts.empty() && !layers.isPressed() && !touching;
     if (pass.saves() ? isUntouched : !pass.hasMore()) return;
