@@ -80,7 +80,7 @@ const std::vector<LayerPair>& LayerContacts::pairsWith(int with, const std::vect
     pairs_.clear();
     for (const LayerContact& contact : contacts) {
         if (!isOne(contact)) continue;
-        const double descent = contact.towards.cast<double>().dot(down);
+        const double descent = std::clamp(contact.towards.cast<double>().dot(down), -1.0, 1.0);
         for (int corner = 0; corner < contact.ofSheet; ++corner)
             for (int other = contact.ofSheet; other < 4; ++other) {
                 const double weight = weightOf(contact, corner) * weightOf(contact, other);

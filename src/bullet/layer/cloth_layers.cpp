@@ -30,9 +30,11 @@ void ClothLayers::average(const std::vector<double>& areas, double bodyStep) {
     constexpr float none = 1e-3f;  // Pa
     const double fraction = -std::expm1(-bodyStep / pressingTime);
     for (float& pressure : pressures_) pressure = pressure > none ? float(1 - fraction) * pressure : 0.0f;
-    for (const std::size_t node : sides_.nodes())
-        if (areas[node] > 0)
-            pressures_[node] += static_cast<float>(fraction * sides_.force(node) / areas[node]);
+    for (const std::size_t node : sides_.nodes()) {
+        constexpr double most = 1e8;  // Pa
+        const double now = areas[node] > 0 ? std::min(sides_.force(node) / areas[node], most) : 0.0;
+        pressures_[node] += static_cast<float>(fraction * now);
+    }
     isPressed_ =
         std::any_of(pressures_.begin(), pressures_.end(), [](float pressure) { return pressure > 0; });
 }

@@ -1,6 +1,7 @@
 #include "bullet/small_steps/touch_lists.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bullet/world/body_watch.h"
 #include "bullet/world/vectors.h"
@@ -28,7 +29,15 @@ LayerContact turned(const LayerContact& contact, int with) {
     return other;
 }
 
+// Not of a sheet that is about to be put back, because a force was not finite.
+bool isFinite(const SurfaceContacts::Acting& acting) {
+    return acting.normal.allFinite() && std::isfinite(acting.force) && std::isfinite(acting.area) &&
+           std::all_of(acting.weights.begin(), acting.weights.end(),
+                       [](float weight) { return std::isfinite(weight); });
+}
+
 void listActing(const SurfaceContacts::Acting& acting) {
+    if (!isFinite(acting)) return;
     SheetMechanics* const first = BodyWatch::mechanicsOf(*acting.first);
     if (acting.first == acting.second) {
         first->touches.contacts.push_back(contactOf(acting, LayerContact::itself));
@@ -41,29 +50,32 @@ void listActing(const SurfaceContacts::Acting& acting) {
             turned(contactOf(acting, 0), second->touches.numberOf(*acting.first)));
 }
 
+// Most cloth that lies on a solid is not squeezed, and is not listed. What varies around what counts is.
+void listSolids(const TouchingSheet& sheet, const Solids& solids) {
+    constexpr double ofWhatCounts = 0.5;
+    const double light = ofWhatCounts * sheet.mechanics->lightPressure;
+    const auto list = [&](std::size_t node, const btVector3& normal, double force) {
+        if (!(force >= light * sheet.mechanics->shape.nodeAreas[node])) return;
+        LayerContact contact{};
+        contact.with = LayerContact::solid;
+        contact.ofSheet = 1;
+        contact.nodes[0] = static_cast<int>(node);
+        contact.weights[0] = 1;
+        contact.towards = -toFloat(normal);
+        contact.force = static_cast<float>(force);
+        sheet.mechanics->touches.contacts.push_back(contact);
+    };
+    const SmallStepSheet& cloth = sheet.sheet->cloth;
+    sheet.sheet->contacts.forEachForce(solids, cloth.substep(), cloth.smallStep(), list);
+}
+
 }  // namespace
 
 void listTouches(const std::vector<TouchingSheet>& sheets, const std::vector<SheetMechanics*>& sleeping,
                  const SurfaceContacts& contacts, const Solids& solids) {
     for (const TouchingSheet& each : sheets) {
-        LayerTouches& touches = each.mechanics->touches;
-        touches.begin();
-        each.sheet->contacts.forEachForce(solids, each.sheet->cloth.substep(), each.sheet->cloth.smallStep(),
-                                          [&](std::size_t node, const btVector3& normal, double force) {
-                                              // Most cloth that lies on a solid is not squeezed. What varies around what counts is listed.
-                                              constexpr double ofWhatCounts = 0.5;
-                                              const double light =
-                                                  ofWhatCounts * each.mechanics->lightPressure;
-                                              if (force < light * each.mechanics->shape.nodeAreas[node])
-                                                  return;
-                                              touches.contacts.push_back({LayerContact::solid,
-                                                                          1,
-                                                                          {static_cast<int>(node), 0, 0, 0},
-                                                                          {1, 0, 0, 0},
-                                                                          -toFloat(normal),
-                                                                          0,
-                                                                          static_cast<float>(force)});
-                                          });
+        each.mechanics->touches.begin();
+        listSolids(each, solids);
         for (SheetMechanics* const other : sleeping) other->touches.forget(*each.body);
     }
     contacts.forEachActing(listActing);
