@@ -4,7 +4,7 @@ set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 . "$root/cmake/prepare.sh"
 
-install_missing "${build_packages[@]}" "${picture_packages[@]}" libgtest-dev libbenchmark-dev libassimp-dev \
+install_missing "${build_packages[@]}" "${picture_packages[@]}" libgtest-dev libbenchmark-dev libassimp-dev libcgal-dev \
   python3-jsonschema xvfb xdotool doxygen binutils
 build_in "$root/build-tests" all -DDRENCH_BUILD_TESTS=ON -DDRENCH_BUILD_BENCHMARKS=ON -DDRENCH_WERROR=ON -DBUILD_SHARED_LIBS=ON \
   -DDRENCH_FLOAT64_TESTS="$root/build-tests-float64"

@@ -5,7 +5,7 @@ set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 . "$root/cmake/prepare.sh"
 
-install_missing "${build_packages[@]}" "${picture_packages[@]}" libgtest-dev libassimp-dev python3-jsonschema xvfb xdotool \
+install_missing "${build_packages[@]}" "${picture_packages[@]}" libgtest-dev libassimp-dev libcgal-dev python3-jsonschema xvfb xdotool \
   doxygen binutils
 (cd "$root" && cmake --preset sanitizers >/dev/null && cmake --build --preset sanitizers --parallel "$(nproc)")
 

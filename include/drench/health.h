@@ -70,7 +70,13 @@ enum class Trouble {
     /// `SheetSettings::mayBeInPieces` was not set: it will fall apart. Mostly the mesh has split vertices; see `weld`.
     /// Nothing is changed. Reported once, by the constructor; with OnTrouble::throwError the constructor throws.
     /// Pieces that are cut later are not reported.
-    pieces
+    pieces,
+    /// For a second faces of the sheet have crossed: found by looking every half second. With a SmallStepSolver, any
+    /// that cross faces of the sheet itself or of another sheet from which it is kept apart, and that the solver did
+    /// not get apart. With other solvers, where nothing keeps a sheet apart from itself, pairs of its own faces that
+    /// are more than 1 % of their number. Not reported for what `SheetSettings::meetsItself` and
+    /// `SheetSettings::meetsSheets` allow to pass. Nothing is changed.
+    crossing
 };
 
 /// All occurrences of one kind of problem since the WetCloth was made or `WetCloth::clearTroubles` was called.
@@ -108,6 +114,14 @@ struct SheetHealth {
     int refits;
     /// Number of reports in `WetCloth::troubles`.
     int troubles;
+    /// Number of pairs of faces of the sheet that cross; to touch is to cross, and faces that share a node do not count.
+    /// 0 unless `WetCloth::health` was asked for crossings.
+    int crossings;
+    /// The same of a face of the sheet and one of another sheet of the world, that is of another body with a WetCloth.
+    int crossingsWithOthers;
+    /// Whether crossings were asked for, and all were counted. False if the count ended early, and for a sheet that is
+    /// not `finite` or does not fit.
+    bool crossingsAreAll;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

@@ -84,9 +84,10 @@ struct SheetSettings {
     /// pieces are then reported as `Trouble::pieces`.
     bool mayBeInPieces = false;
 
-    /// Whether a SmallStepSolver keeps the layers of the sheet apart where it is folded; default true. Without such a
-    /// solver a sheet passes through itself. Layers that touch wick into each other (see `Moisture::joinLayers`); faces
-    /// that are covered do not dry, drip or catch rain.
+    /// Whether a SmallStepSolver keeps the layers of the sheet apart where it is folded; default true. Layers that touch
+    /// wick into each other (see `Moisture::joinLayers`); faces that are covered do not dry, drip or catch rain. With the
+    /// stock solver and in the deformable world nothing keeps them apart: a sheet passes through itself, which is reported
+    /// as `Trouble::crossing` unless this is false.
     bool meetsItself = true;
 
     /// Whether a SmallStepSolver keeps the sheet apart from all other sheets of which this is true; default true. They
@@ -255,7 +256,11 @@ class DRENCH_API WetCloth {
 
     /// Computes diagnostics of all nodes, links and contacts. Once the body has been destroyed, all values are 0 and
     /// `finite` is false.
-    SheetHealth health() const;
+    /// @param mostCrossings  number of crossings after which their count ends, 0 to 1e6; default 0: they are not
+    ///     counted, which takes longer than all the rest. The count looks at no more than 500 pairs of faces for each
+    ///     face of the sheet
+    /// @throws std::invalid_argument for a number out of range
+    SheetHealth health(int mostCrossings = 0) const;
 
     /// Problems since the WetCloth was made or `clearTroubles` was called: one report per kind, in order of first
     /// occurrence. docs/health.md lists all kinds.

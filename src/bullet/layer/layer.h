@@ -22,6 +22,7 @@
 #include "bullet/layer/cloth_layers.h"
 #include "bullet/layer/saved_body_state.h"
 #include "bullet/repair/diagnostics.h"
+#include "bullet/repair/tangles.h"
 #include "bullet/repair/topology_watch.h"
 #include "bullet/sheet/node_masses.h"
 #include "bullet/sheet/pose.h"
@@ -87,6 +88,7 @@ struct WetCloth::Layer final : TickListener, TouchableWater {
     void detach();
     // Whether the numbers of nodes, links and faces are those of the last substep.
     bool fits() const;
+    CrossingCount countCrossings(int most);
     void repairBody();
     void readGravity();
     void reportGravities(const Gravity& found);
@@ -148,6 +150,7 @@ struct WetCloth::Layer final : TickListener, TouchableWater {
     btVector3 reportedGravity = btVector3(0, 0, 0),
               reportedOther = btVector3(0, 0, 0);  // that differed, m/s2
     bool scaleIsChecked = false;
+    TangleCheck tangles;
 
     const Fabric fabric;
     SheetMechanics mechanics;

@@ -127,8 +127,18 @@ void WetCloth::Layer::checkBeforeStep(btScalar dt) {
     if (deformable) deformable->check(world, double(dt));
     repairBody();
     reportHeldSubsteps();
+    tangles.step(world, body, mechanics, bodyStepOf(dt), diagnostics);
     // Last, because the shelter is kept from step to step.
     readAir(bodyStepOf(dt));
+}
+
+// @param most  crossings after which the count ends
+CrossingCount WetCloth::Layer::countCrossings(int most) {
+    constexpr std::int64_t looksAtAFace = 500;
+    const CrossingLimits limits = {most, looksAtAFace * static_cast<std::int64_t>(mesh.triangles.size())};
+    std::vector<btSoftBody*> others;
+    if (body.getBroadphaseHandle() && isInWorld()) others = sheetsNear(world, body);
+    return CrossingSearch().count(body, mechanics, others, limits, true);
 }
 
 void WetCloth::Layer::repairBody() {

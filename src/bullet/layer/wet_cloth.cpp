@@ -15,6 +15,12 @@
 namespace drench {
 inline namespace DRENCH_BULLET_NAMESPACE {
 
+namespace {
+
+constexpr int maxCrossings = 1000000;
+
+}  // namespace
+
 WetCloth::WetCloth(btDiscreteDynamicsWorld& world, btSoftBody& sheet, const Fabric& fabric,
                    const SheetSettings& settings)
     : layer_(std::make_shared<Layer>(world, sheet, fabric, settings)) {}
@@ -154,20 +160,31 @@ void WetCloth::restore(const Snapshot& snapshot) {
     layer_->restore(snapshot);
 }
 
-SheetHealth WetCloth::health() const {
+SheetHealth WetCloth::health(int mostCrossings) const {
+    if (mostCrossings < 0 || mostCrossings > maxCrossings)
+        refuse("WetCloth::health is asked for ", mostCrossings, " crossings; give 0 to ", maxCrossings);
     if (!layer_->watch.bodyIsAlive()) return {};
     const btSoftBody& body = layer_->body;
     const SheetMechanics& mechanics = layer_->mechanics;
     const bool fits = layer_->fits() && !layer_->topology.hasMoved(body);
-    return {isFinite(body),
-            fits ? largestStrain(body, mechanics) : 0.0,
-            fits ? deepestPenetration(body) : 0.0,
-            stepBound(),
-            mechanics.smallSteps,
-            mechanics.heldSubsteps,
-            fits,
-            layer_->refits,
-            static_cast<int>(layer_->diagnostics.reports().size())};
+    SheetHealth health = {isFinite(body),
+                          fits ? largestStrain(body, mechanics) : 0.0,
+                          fits ? deepestPenetration(body) : 0.0,
+                          stepBound(),
+                          mechanics.smallSteps,
+                          mechanics.heldSubsteps,
+                          fits,
+                          layer_->refits,
+                          static_cast<int>(layer_->diagnostics.reports().size()),
+                          0,
+                          0,
+                          false};
+    if (mostCrossings == 0 || !fits || !health.finite) return health;
+    const CrossingCount found = layer_->countCrossings(mostCrossings);
+    health.crossings = found.ofItself;
+    health.crossingsWithOthers = found.withOthers;
+    health.crossingsAreAll = found.areAll;
+    return health;
 }
 
 const std::vector<TroubleReport>& WetCloth::troubles() const {

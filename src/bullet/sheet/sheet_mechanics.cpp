@@ -10,6 +10,15 @@ namespace {
 
 // Pa; it leaves pores less than half a per cent less room.
 constexpr double weightOfFewLayers = 10;
+std::vector<SurfaceTree::Corners> materialCorners(const ClothMesh& mesh) {
+    std::vector<SurfaceTree::Corners> all;
+    for (const auto& triangle : mesh.coordinates) {
+        SurfaceTree::Corners& corners = all.emplace_back();
+        for (std::size_t i = 0; i < 3; ++i)
+            corners[i] = {float(triangle[i].x()), float(triangle[i].y()), 0.0f};
+    }
+    return all;
+}
 
 }  // namespace
 
@@ -48,6 +57,14 @@ void SheetMechanics::evaluate(const WetLaws& laws, const Moisture& moisture) {
         bendingRatios[n] = laws.bendingRatio(moistureContent);
         bendingFrictionRatios[n] = laws.bendingFrictionRatio(moistureContent);
     }
+}
+
+SurfaceTree& SheetMechanics::treeFor(btScalar margin) {
+    if (!tree_ || marginOfTree_ != margin)
+        tree_ = std::make_unique<SurfaceTree>(mesh.triangles, mesh.size(), materialCorners(mesh),
+                                              float(2 * margin));
+    marginOfTree_ = margin;
+    return *tree_;
 }
 
 double SheetMechanics::stiffness(std::size_t link) const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "bullet/cloth_contact/surface_tree.h"
 #include "bullet/contact/friction.h"
 #include "bullet/contact/motors.h"
 #include "bullet/contact/near_solids.h"
@@ -48,6 +49,8 @@ struct SheetMechanics {
     void evaluate(const WetLaws& laws, const Moisture& moisture);
     // Present stiffness of a link, N/m.
     double stiffness(std::size_t link) const;
+    // The faces of the sheet in a tree. Made at the first call, and again for another margin.
+    SurfaceTree& treeFor(btScalar margin);
     // Adapts to the cloth after a cut. @pre `evaluate` must be called before any other use
     void recut(const Fabric& fabric, RestShape restShape, ClothMesh clothMesh);
 
@@ -87,6 +90,10 @@ struct SheetMechanics {
     bool fits = true;                // whether the body has this topology
 
     StepTimes times;
+
+  private:
+    std::unique_ptr<SurfaceTree> tree_;
+    btScalar marginOfTree_ = 0;  // m
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

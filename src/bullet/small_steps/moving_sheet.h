@@ -1,9 +1,6 @@
 // A sheet with its contacts, while small steps move it within a substep.
 #pragma once
 
-#include <memory>
-
-#include "bullet/cloth_contact/surface_tree.h"
 #include "bullet/small_steps/contact_memory.h"
 #include "bullet/small_steps/sheet_anchors.h"
 #include "bullet/small_steps/small_step_sheet.h"
@@ -17,19 +14,12 @@ inline namespace DRENCH_BULLET_NAMESPACE {
 struct MovingSheet {
     explicit MovingSheet(const SheetMechanics& mechanics) : cloth(mechanics, bestKernels()) {}
 
-    // The faces of the sheet as they meet cloth. Made at the first call, and again for another margin.
-    SurfaceTree& treeFor(btScalar margin, const SheetMechanics& mechanics);
-
     const btSoftBody::Node* nodes = nullptr;  // address of Bullet's array at the start of the substep
     SmallStepSheet cloth;
     SolidContacts contacts;
     SheetAnchors anchors;
     Tethers tethers;
     ContactMemory memory;
-
-  private:
-    std::unique_ptr<SurfaceTree> tree_;
-    btScalar margin_ = 0;  // for which it was made, m
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

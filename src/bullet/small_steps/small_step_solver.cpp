@@ -336,10 +336,9 @@ void SmallStepSolver::State::begin(btScalar substep) {
     meetingSheets.clear();
     for (const Solving& each : sheets) {
         each.sheet->cloth.divide(*each.mechanics, steps);
-        meetingSheets.push_back(
-            {each.body, &each.sheet->cloth, &each.mechanics->sheetFriction,
-             &each.sheet->treeFor(each.body->getCollisionShape()->getMargin(), *each.mechanics),
-             &each.sheet->memory, each.mechanics->meetsItself});
+        meetingSheets.push_back({each.body, &each.sheet->cloth, &each.mechanics->sheetFriction,
+                                 &each.mechanics->treeFor(each.body->getCollisionShape()->getMargin()),
+                                 &each.sheet->memory, each.mechanics->meetsItself});
     }
     share(&StepTimes::solver, watch.lap());
     for (const Solving& each : sheets) beginSheet(each);

