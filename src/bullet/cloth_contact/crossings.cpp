@@ -53,7 +53,6 @@ void Crossings::within(int branch) {
     const SurfaceTree::Branch& of = entryOf(cloth_->branches(), branch);
     if (of.leaf >= 0) {
         const SurfaceTree::Leaf& leaf = entryOf(cloth_->leaves(), of.leaf);
-        if (!looksEverywhere_) return;
         for (int face = leaf.firstFace; face < leaf.endFace; ++face)
             for (int other = face + 1; other < leaf.endFace && areAll_; ++other)
                 if (!shareNode(face, other)) look(face, other);

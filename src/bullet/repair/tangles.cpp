@@ -107,14 +107,14 @@ void TangleCheck::step(btDiscreteDynamicsWorld& world, btSoftBody& body, SheetMe
     // Where nothing keeps the layers apart, every fold crosses a little.
     constexpr double bad = 0.01;  // of the faces (assumed)
     untilNext_ -= bodyStep;
-    if (untilNext_ > 0 || !body.isActive()) return;
+    // Before the first substep it is unknown what moves the sheet.
+    if (untilNext_ > bodyStep / 2 || mechanics.times.substeps == 0 || !body.isActive()) return;
     const bool isKeptApart = mechanics.movedBySmallSteps;
     if (!mechanics.meetsItself && !isKeptFromOthers(mechanics)) return;
     std::vector<btSoftBody*> others;
     if (isKeptFromOthers(mechanics)) others = sheetsNear(world, body);
-    const auto isLeftAlone = [](btSoftBody* other) {
-        return !isKeptFromOthers(*BodyWatch::mechanicsOf(*other));
-    };
+    // Those have the same solver.
+    const auto isLeftAlone = [](btSoftBody* other) { return !BodyWatch::mechanicsOf(*other)->meetsSheets; };
     others.erase(std::remove_if(others.begin(), others.end(), isLeftAlone), others.end());
     CrossingCount found = search_.count(body, mechanics, others, limits, false);
     if (!mechanics.meetsItself) found.ofItself = 0;

@@ -10,6 +10,7 @@ namespace {
 
 // Pa; it leaves pores less than half a per cent less room.
 constexpr double weightOfFewLayers = 10;
+
 std::vector<SurfaceTree::Corners> materialCorners(const ClothMesh& mesh) {
     std::vector<SurfaceTree::Corners> all;
     for (const auto& triangle : mesh.coordinates) {

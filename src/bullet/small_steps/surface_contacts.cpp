@@ -56,6 +56,9 @@ void SurfaceContacts::begin(const std::vector<Sheet>& sheets, double substep, in
     for (std::size_t c = 0; c < clothCount_; ++c)
         if (cloths_[c].isMet) cloths_[c].startMotion(steps);
     nearest_.resize(nodes);
+    untangler_.clear();
+    for (std::size_t p = 0; p < pairCount_; ++p)
+        untangler_.find(pairs_[p], cloths_[pairs_[p].one], cloths_[pairs_[p].other]);
     for (std::size_t p = 0; p < pairCount_; ++p)
         find(pairs_[p], *cloths_[pairs_[p].one].memory, *cloths_[pairs_[p].other].memory);
     updateAdhesion();
@@ -169,6 +172,7 @@ void SurfaceContacts::find(ClothPair& pair, const ContactMemory& memory, const C
     // What passes by several cells in a substep cannot be kept apart.
     constexpr float passing = 3;
     search_.find(pair, one, other, passing * (one.cell + other.cell), memory, memoryOfOther);
+    untangler_.leaveOut(pair, one, other);
 }
 
 // Wet cloth adheres only by the nearest contact of each node; otherwise adhesion would count several times.
@@ -209,6 +213,7 @@ void SurfaceContacts::updateAdhesion(const ClothPair& pair, PairContact& contact
 
 void SurfaceContacts::beginStep() {
     for (std::size_t c = 0; c < clothCount_; ++c) cloths_[c].touches = false;
+    untangler_.pull(smallStep_);
     const ContactStep step(static_cast<float>(smallStep_));
     for (std::size_t p = 0; p < pairCount_; ++p)
         for (PairContact& contact : pairs_[p].contacts) step.separate(contact);

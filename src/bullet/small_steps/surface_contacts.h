@@ -16,6 +16,7 @@
 #include "bullet/small_steps/guest_cloth.h"
 #include "bullet/small_steps/meeting_cloth.h"
 #include "bullet/small_steps/small_step_sheet.h"
+#include "bullet/small_steps/untangler.h"
 #include "drench/config.h"
 
 namespace drench {
@@ -127,6 +128,7 @@ class SurfaceContacts {
     std::vector<ClothPair> pairs_;
     std::size_t pairCount_ = 0;  // in use
     ContactSearch search_;
+    Untangler untangler_;
     ContactMemory memory_, memoryOfOther_;  // of a pair, while its contacts are found again
     bool canAdhere_ = false;                // whether any sheet is wet enough
     struct Nearest {

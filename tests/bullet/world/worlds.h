@@ -102,6 +102,9 @@ class SmallStepWorld {
         return *cloths_.back();
     }
 
+    // In the order in which bodies were covered.
+    WetCloth& clothOf(std::size_t index) { return *cloths_.at(index); }
+
     // Runs for so long in frames of `frameTime`, each one substep of Bullet's.
     void run(double time, double frameTime = 1.0 / 60) {
         const auto frames = static_cast<int>(std::lround(time / frameTime));
