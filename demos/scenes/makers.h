@@ -9,7 +9,7 @@ namespace drench::demo {
 
 using SceneMaker = std::unique_ptr<Scene>(const SceneOptions&);
 
-SceneMaker makeCling, makeClothesline, makeDip, makeDrape, makeDrapeMeter, makeFlag, makeHalfUnderRoof,
-    makeSlide, makeSpill, makeStockAndDrench, makeTenSteps, makeWick;
+SceneMaker makeCling, makeClothesline, makeDip, makeDrape, makeDrapeMeter, makeFlag, makeFold,
+    makeHalfUnderRoof, makeHeap, makeSlide, makeSpill, makeStockAndDrench, makeTenSteps, makeWick, makeWring;
 
 }  // namespace drench::demo

@@ -24,6 +24,12 @@ const std::vector<SceneEntry>& scenes() {
         {"drape-meter",
          "a disc of cloth, dry and wet, hangs over a pedestal (Cusick); prints drape coefficient and nodes",
          false, makeDrapeMeter},
+        {"fold", "a towel is folded in four by two grippers, and water is poured on it", false, makeFold},
+        {"heap", "laundry of three fabrics falls into a basket, dry and wet", false, makeHeap, ""},
+        {"wring",
+         "a soaked towel is wrung between two turning clamps, and opens again; CSV of torque, dripped water "
+         "and pick-up",
+         false, makeWring},
         {"wick",
          "a strip with its foot in water; prints height against time and the fitted Washburn coefficient",
          false, makeWick},
