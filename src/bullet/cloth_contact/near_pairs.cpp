@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace drench {
@@ -15,12 +16,6 @@ const Value& at(const std::vector<Value>& values, int index) {
 
 // Layers whose normals are all within 60 degrees of some direction count as level.
 constexpr float level = 0.5f;
-
-void sortByNode(std::vector<NearFace>& found) {
-    std::sort(found.begin(), found.end(), [](const NearFace& a, const NearFace& b) {
-        return std::tie(a.node, a.distance, a.face) < std::tie(b.node, b.distance, b.face);
-    });
-}
 
 }  // namespace
 
@@ -67,11 +62,30 @@ const LeafExtents& NearPairs::LeafCache::of(int leaf) {
 }
 
 void NearPairs::finish() {
-    sortByNode(nodes_);
-    sortByNode(nodesOfOther_);
+    sortByNode(nodes_, cloth_->nodeCount());
+    sortByNode(nodesOfOther_, other_->nodeCount());
     std::sort(edges_.begin(), edges_.end(), [](const NearEdges& a, const NearEdges& b) {
         return std::tie(a.edge, a.other) < std::tie(b.edge, b.other);
     });
+}
+
+// There are many, but few of each node.
+void NearPairs::sortByNode(std::vector<NearFace>& found, std::size_t nodes) {
+    firstOf_.assign(nodes + 1, 0);
+    for (const NearFace& each : found) ++firstOf_[static_cast<std::size_t>(each.node) + 1];
+    std::partial_sum(firstOf_.begin(), firstOf_.end(), firstOf_.begin());
+    unsorted_.swap(found);
+    found.resize(unsorted_.size());
+    for (const NearFace& each : unsorted_) found[firstOf_[static_cast<std::size_t>(each.node)]++] = each;
+    // By now each is where those of the next node begin.
+    auto first = found.begin();
+    for (std::size_t node = 0; node < nodes; ++node) {
+        const auto end = found.begin() + static_cast<std::ptrdiff_t>(firstOf_[node]);
+        std::sort(first, end, [](const NearFace& a, const NearFace& b) {
+            return std::tie(a.distance, a.face) < std::tie(b.distance, b.face);
+        });
+        first = end;
+    }
 }
 
 void NearPairs::addNearest(const std::vector<int>& nodes, bool areOfOther, float farthest) {
@@ -90,7 +104,7 @@ void NearPairs::addNearest(const std::vector<int>& nodes, bool areOfOther, float
     }
     if (added_.empty()) return;
     found.insert(found.end(), added_.begin(), added_.end());
-    sortByNode(found);
+    sortByNode(found, ofNode.nodeCount());
 }
 
 void NearPairs::findNearest(Nearest& nearest, int branch) const {

@@ -54,6 +54,7 @@ class NearPairs {
     void begin(const SurfaceTree& cloth, const SurfaceTree& other, const Eigen::Vector3f& offset,
                const Distances& near);
     void finish();
+    void sortByNode(std::vector<NearFace>& found, std::size_t nodes);
     void within(int branch);
     void between(int branch, int other);
     void betweenLeaves(int leaf, int other);
@@ -91,6 +92,8 @@ class NearPairs {
     std::vector<NearFace> nodes_, nodesOfOther_;
     std::vector<NearEdges> edges_;
     std::vector<NearFace> added_;
+    std::vector<NearFace> unsorted_;
+    std::vector<std::size_t> firstOf_;  // of each node, while they are sorted
 
     // The extents of the leaves that were looked at in the present search.
     class LeafCache {

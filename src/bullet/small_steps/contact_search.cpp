@@ -43,9 +43,8 @@ void place(PairContact& contact, const MeetingCloth& first, const MeetingCloth& 
     for (int i = 0; i < 4; ++i) {
         const MeetingCloth& cloth = i < ofFirst ? first : second;
         const auto slot = static_cast<std::size_t>(i);
+        contact.nodes[slot] = nodes[slot];
         contact.moved[slot] = &cloth.moved[nodes[slot]];
-        contact.reference[slot] = &cloth.reference[nodes[slot]];
-        contact.isCarried[slot] = &cloth.isCarried[nodes[slot]];
         if (i == 0) continue;
         contact.offsets[slot - 1] = positionOf(cloth.start[nodes[slot]]) - origin;
         if (i >= ofFirst) contact.offsets[slot - 1] += between;
@@ -57,8 +56,8 @@ void place(PairContact& contact, const MeetingCloth& first, const MeetingCloth& 
 
 }  // namespace
 
-void ContactSearch::find(ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other,
-                         float farthest, const ContactMemory& memory, const ContactMemory& memoryOfOther) {
+void ContactSearch::find(ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other, float farthest,
+                         const ContactMemory& memory, const ContactMemory& memoryOfOther) {
     pair_ = &pair;
     one_ = &one;
     other_ = &other;

@@ -37,7 +37,7 @@ struct MeetingCloth {
     btVector3 origin;  // of start, m
     const MovingNode* start;
     MovingNode* moved;
-    MovingNode* reference;  // see ClothContact
+    MovingNode* reference;  // see ContactGroup
     const char* isCarried;
     float margin;            // m
     float cell;              // a fraction of the length of its links, or its margin, m

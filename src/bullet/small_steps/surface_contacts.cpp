@@ -62,6 +62,7 @@ void SurfaceContacts::begin(const std::vector<Sheet>& sheets, double substep, in
     for (std::size_t p = 0; p < pairCount_; ++p)
         find(pairs_[p], *cloths_[pairs_[p].one].memory, *cloths_[pairs_[p].other].memory);
     updateAdhesion();
+    fillBlocks();
 }
 
 MeetingCloth& SurfaceContacts::newCloth() {
@@ -149,10 +150,38 @@ void SurfaceContacts::findWhatIsDue() {
         areAny = areAny || cloth.isOffItsWay;
     }
     if (!areAny) return;
+    blocks_.readBack();
     rememberBonds();
     for (std::size_t p = 0; p < pairCount_; ++p)
         if (cloths_[pairs_[p].one].isOffItsWay || cloths_[pairs_[p].other].isOffItsWay) findAgain(pairs_[p]);
     updateAdhesion();
+    fillBlocks();
+}
+
+void SurfaceContacts::fillBlocks() {
+    blocks_.clear(float(smallStep_));
+    groupsOf_.clear();
+    for (std::size_t p = 0; p < pairCount_; ++p) addToBlocks(pairs_[p]);
+}
+
+// A pair has up to three groups: of its nodes with faces of the other, the other way round, and of edges.
+void SurfaceContacts::addToBlocks(ClothPair& pair) {
+    for (std::size_t from = 0, end = 0; from < pair.contacts.size(); from = end) {
+        const PairContact& first = pair.contacts[from];
+        const auto isAlike = [&](const PairContact& contact) {
+            return contact.isOfEdges == first.isOfEdges && contact.isOfOther == first.isOfOther;
+        };
+        ofGroup_.clear();
+        while (end < pair.contacts.size() && isAlike(pair.contacts[end]))
+            ofGroup_.push_back(&pair.contacts[end++]);
+        const MeetingCloth &one = clothOfNode(pair, first), &other = clothOfFace(pair, first);
+        blocks_.add({{one.moved, other.moved},
+                     {one.reference, other.reference},
+                     {one.isCarried, other.isCarried},
+                     {one.tree->nodeCount(), other.tree->nodeCount()}},
+                    ofGroup_);
+        groupsOf_.push_back(&pair);
+    }
 }
 
 void SurfaceContacts::findAgain(ClothPair& pair) {
@@ -214,70 +243,39 @@ void SurfaceContacts::updateAdhesion(const ClothPair& pair, PairContact& contact
 void SurfaceContacts::beginStep() {
     for (std::size_t c = 0; c < clothCount_; ++c) cloths_[c].touches = false;
     untangler_.pull(smallStep_);
-    const ContactStep step(static_cast<float>(smallStep_));
-    for (std::size_t p = 0; p < pairCount_; ++p)
-        for (PairContact& contact : pairs_[p].contacts) step.separate(contact);
-    for (std::size_t p = 0; p < pairCount_; ++p)
-        for (PairContact& contact : pairs_[p].contacts) step.begin(contact);
+    blocks_.beginStep();
     for (std::size_t c = 0; c < clothCount_; ++c)
         if (cloths_[c].guest) cloths_[c].guest->advance();
 }
 
 void SurfaceContacts::goOn() {
-    const ContactStep step(static_cast<float>(smallStep_));
-    for (std::size_t p = 0; p < pairCount_; ++p)
-        for (PairContact& contact : pairs_[p].contacts) {
-            step.goOn(contact);
-            noteTouch(pairs_[p], contact);
-        }
+    blocks_.goOn();
+    notePushes();
 }
 
-void SurfaceContacts::noteTouch(const ClothPair& pair, const PairContact& contact) {
-    if (contact.push != 0) cloths_[pair.one].touches = cloths_[pair.other].touches = true;
+void SurfaceContacts::notePushes() {
+    for (std::size_t group = 0; group < groupsOf_.size(); ++group) {
+        const ClothPair& pair = *groupsOf_[group];
+        if (blocks_.isPushing(group)) cloths_[pair.one].touches = cloths_[pair.other].touches = true;
+    }
 }
 
 float SurfaceContacts::solve(bool backwards) {
-    const ContactStep step(static_cast<float>(smallStep_));
-    float most = 0;
-    const auto solved = [&](const ClothPair& pair, PairContact& contact) {
-        most = std::max(most, step.solve(contact));
-        noteTouch(pair, contact);
-    };
-    const auto first = pairs_.begin(), end = first + static_cast<std::ptrdiff_t>(pairCount_);
-    if (backwards)
-        std::for_each(std::make_reverse_iterator(end), std::make_reverse_iterator(first),
-                      [&](ClothPair& pair) {
-                          std::for_each(pair.contacts.rbegin(), pair.contacts.rend(),
-                                        [&](PairContact& contact) { solved(pair, contact); });
-                      });
-    else
-        std::for_each(first, end, [&](ClothPair& pair) {
-            for (PairContact& contact : pair.contacts) solved(pair, contact);
-        });
+    const float most = blocks_.solve(backwards);
+    notePushes();
     return most;
 }
 
 void SurfaceContacts::endStep() {
-    const ContactStep step(static_cast<float>(smallStep_));
-    for (std::size_t p = 0; p < pairCount_; ++p)
-        for (PairContact& contact : pairs_[p].contacts) step.beginSettling(contact);
-    constexpr int passes = 4;  // where layers are squeezed, what settles in one contact opens another
-    for (int pass = 0; pass < passes; ++pass)
-        for (std::size_t p = 0; p < pairCount_; ++p)
-            for (PairContact& contact : pairs_[p].contacts) step.settle(contact);
-    for (std::size_t p = 0; p < pairCount_; ++p)
-        for (PairContact& contact : pairs_[p].contacts) step.finish(contact);
+    blocks_.endStep();
     noteTouches();
     if (--stepsLeft_ > 0) findWhatIsDue();
 }
 
 void SurfaceContacts::noteTouches() {
-    for (std::size_t p = 0; p < pairCount_; ++p) {
-        const ClothPair& pair = pairs_[p];
-        const bool areOne = pair.one == pair.other;
-        if (areOne || (cloths_[pair.one].hasTouchedOthers && cloths_[pair.other].hasTouchedOthers)) continue;
-        if (std::any_of(pair.contacts.begin(), pair.contacts.end(),
-                        [](const PairContact& contact) { return contact.touched || contact.placed > 0; }))
+    for (std::size_t group = 0; group < groupsOf_.size(); ++group) {
+        const ClothPair& pair = *groupsOf_[group];
+        if (pair.one != pair.other && blocks_.hasTouched(group))
             cloths_[pair.one].hasTouchedOthers = cloths_[pair.other].hasTouchedOthers = true;
     }
 }
@@ -330,6 +328,7 @@ void SurfaceContacts::remember(const ClothPair& pair, const PairContact& contact
 }
 
 void SurfaceContacts::finish() {
+    blocks_.readBack();
     remember();
     for (std::size_t p = 0; p < pairCount_; ++p)
         for (const PairContact& contact : pairs_[p].contacts) list(pairs_[p], contact);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bullet/cloth_contact/contact_blocks.h"
 #include "bullet/contact/friction.h"
 #include "bullet/small_steps/contact_memory.h"
 #include "bullet/small_steps/contact_search.h"
@@ -101,7 +102,9 @@ class SurfaceContacts {
     void addPair(std::size_t one, std::size_t other);
 
     void findWhatIsDue();
-    void noteTouch(const ClothPair& pair, const PairContact& contact);
+    void fillBlocks();
+    void addToBlocks(ClothPair& pair);
+    void notePushes();
     void noteTouches();
     void findAgain(ClothPair& pair);
     void find(ClothPair& pair, const ContactMemory& memory, const ContactMemory& memoryOfOther);
@@ -129,6 +132,9 @@ class SurfaceContacts {
     std::size_t pairCount_ = 0;  // in use
     ContactSearch search_;
     Untangler untangler_;
+    ContactBlocks blocks_;
+    std::vector<const ClothPair*> groupsOf_;  // the pair of each group of blocks
+    std::vector<ClothContact*> ofGroup_;
     ContactMemory memory_, memoryOfOther_;  // of a pair, while its contacts are found again
     bool canAdhere_ = false;                // whether any sheet is wet enough
     struct Nearest {
