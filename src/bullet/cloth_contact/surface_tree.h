@@ -63,6 +63,8 @@ class SurfaceTree {
     };
     // Takes over the positions of the nodes: their start and their displacement, m; and their ways from there.
     void follow(const MovingNode* start, const MovingNode* moved, const Motion& motion);
+    // The same of nodes that stay there.
+    void follow(const MovingNode* start, const MovingNode* moved) { follow(start, moved, {moved, 0, 0}); }
 
     // Whether two nodes are neighbours, or have a way along edges that is hardly longer than the distance that contacts
     // keep. They are as near by nature, and are not to be kept apart.
