@@ -26,6 +26,8 @@ class ContactBlocks {
         std::array<std::size_t, 2> nodeCounts;
     };
 
+    explicit ContactBlocks(const ContactKernels& kernels = bestContactKernels()) : kernels_(kernels) {}
+
     // @param step  length of small steps, s
     void clear(float step);
     // Adds contacts of one kind. They stay where they are until their states are read back.
@@ -64,7 +66,7 @@ class ContactBlocks {
     void close(Filling& filling, std::uint32_t bit, const std::array<std::uint32_t*, 2>& uses);
     void renewStrays(const Group& group);
 
-    const ContactKernels& kernels_ = bestContactKernels();
+    const ContactKernels& kernels_;
     ContactTimes times_ = {};
     std::vector<Group> groups_;
     std::vector<ContactBlock> blocks_;

@@ -220,6 +220,7 @@ bool NearPairs::areLevel(int branch, int other) const {
 void NearPairs::nodesNearFaces(const Side& ofNodes, const Side& ofFaces, const Eigen::Vector3f& offset,
                                float approach, std::vector<NearFace>& found) const {
     const float farthest = near_.ofFaces + approach;
+    const float nearest = near_.ofFaces + std::min(deviation_, near_.farthest);
     const Eigen::Array3f low = ofFaces.box->low - farthest, high = ofFaces.box->high + farthest;
     const std::vector<Eigen::Vector3f>& positions = ofFaces.cloth->positions();
     const bool isOneCloth = ofNodes.cloth == ofFaces.cloth;
@@ -232,12 +233,17 @@ void NearPairs::nodesNearFaces(const Side& ofNodes, const Side& ofFaces, const E
         ofFaces.extents->forFacesNear(position.array(), position.array(), farthest, close, [&](int f) {
             const std::array<int, 3>& corners = at(ofFaces.cloth->faces(), f).nodes;
             const auto& [a, b, c] = corners;
-            const float near = near_.ofFaces + this->approach(way, *ofFaces.cloth, corners.data(), 3);
-            if (std::abs(at(ofFaces.cloth->normals(), f).dot(position - at(positions, a))) > near) return;
-            const NearestOnFace nearest =
+            // Most that are found are near where they are.
+            const float height = std::abs(at(ofFaces.cloth->normals(), f).dot(position - at(positions, a)));
+            float near = nearest;
+            if (height > near) near = near_.ofFaces + this->approach(way, *ofFaces.cloth, corners.data(), 3);
+            if (height > near) return;
+            const NearestOnFace point =
                 nearestOnFace(position, at(positions, a), at(positions, b), at(positions, c));
-            const float distance = nearest.apart.norm();
-            if (distance <= near) found.push_back({node, f, distance, nearest});
+            const float distance = point.apart.norm();
+            if (distance > near && near == nearest)
+                near = near_.ofFaces + this->approach(way, *ofFaces.cloth, corners.data(), 3);
+            if (distance <= near) found.push_back({node, f, distance, point});
         });
     }
 }

@@ -331,8 +331,9 @@ DRENCH_LANES void beginSettling(const ContactGroup& group, ContactBlock& block, 
     in<Real>(block.notSettled + lane) = in<Real>(block.placed + lane);
 }
 
+// @return whether any of what was placed is left
 template <typename Real, bool areOfEdges>
-DRENCH_LANES void settle(const ContactGroup& group, ContactBlock& block, std::size_t lane) {
+DRENCH_LANES bool settle(const ContactGroup& group, ContactBlock& block, std::size_t lane) {
     const Triple<Real> normal = tripleIn<Real>(block.normal, lane);
     const Real none = {};
     Real& notSettled = in<Real>(block.notSettled + lane);
@@ -344,10 +345,11 @@ DRENCH_LANES void settle(const ContactGroup& group, ContactBlock& block, std::si
     const Real closed = reference - in<Real>(block.opened + lane);
     smallerOf(pulledBack, notSettled, closed);
     const auto acts = (pulledBack > 0) & (response > 0);
-    if (!any(acts)) return;
+    if (!any(acts)) return any(notSettled > 0);
     pulledBack = acts ? pulledBack : none;
     notSettled -= pulledBack;
     move<Real, areOfEdges>(group.reference, block, lane, acts ? -pulledBack / response : none);
+    return any(notSettled > 0);
 }
 
 template <typename Real>
@@ -424,9 +426,13 @@ static void beginSettlingEach(const ContactGroup& group) {
 
 template <typename Real, bool areOfEdges>
 static void settleEach(const ContactGroup& group) {
-    for (std::size_t b = 0; b < group.count; ++b)
-        for (std::size_t lane = 0; group.places[b] && lane < blockWidth; lane += widthOf<Real>)
-            settle<Real, areOfEdges>(group, group.blocks[b], lane);
+    for (std::size_t b = 0; b < group.count; ++b) {
+        if (!group.places[b]) continue;
+        bool areLeft = false;
+        for (std::size_t lane = 0; lane < blockWidth; lane += widthOf<Real>)
+            areLeft |= settle<Real, areOfEdges>(group, group.blocks[b], lane);
+        group.places[b] = areLeft;
+    }
 }
 
 // The same, of both kinds of contacts.
