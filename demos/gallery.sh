@@ -51,9 +51,13 @@ keep 1448 stock-and-drench stock-and-drench/stock-and-drench.png
 run drape
 keep 960 drape drape/drape-03000ms.png
 
+run fold
+run wring
+run heap
 run spill
 run wick
 cd "$work"
+keep_four layers fold/fold-02000ms.png fold/fold-09000ms.png wring/wring-07000ms.png heap/heap-06000ms.png
 keep_four water clothesline/clothesline-2-dripping.png rain/rain-20000ms.png spill/spill-16000ms.png \
   wick/"$(ls wick | grep -v contact | tail -1)"
 run pool

@@ -106,7 +106,7 @@ exists "$folder/side/stock-and-drench.png" "$folder/meter/silhouette-dry.png" "$
 
 # Every scene runs, and logs the water of each frame under the same names.
 water='time_s,supplied_kg,pore_kg,film_kg,dripped_kg,evaporated_kg,returned_kg,mean_saturation'
-for scene in drape wick rain clothesline spill; do
+for scene in drape wick rain clothesline spill fold wring heap; do
   expect 0 'check passed' "$scene" --headless --seconds 0.5 --resolution 16 --csv "$folder/$scene.csv"
   head -1 "$folder/$scene.csv" | grep -q "^$water" || { echo "$scene.csv has no such header"; failed=1; }
   rows=$(wc -l <"$folder/$scene.csv")
