@@ -45,12 +45,18 @@ class ContactMemory {
     // The last contact of two edges; null for none.
     const Contact* ofEdges(int node, int otherEnd, const btSoftBody& other, int from, int to) const;
 
+    // Notes whether the cloth crosses itself or other cloth, for so long, s.
+    void noteCrossing(bool crosses, double time) { crossing_ = crosses ? crossing_ + time : 0; }
+    // How long it has done so, s.
+    double crossing() const { return crossing_; }
+
     void state(BulletPass& pass);
 
   private:
     std::vector<Contact>::const_iterator firstOf(int node) const;
 
     std::vector<Contact> contacts_;  // in the order of the nodes
+    double crossing_ = 0;
 };
 
 }  // namespace DRENCH_BULLET_NAMESPACE

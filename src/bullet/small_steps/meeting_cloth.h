@@ -44,6 +44,7 @@ struct MeetingCloth {
     float adhesiveReach;     // m; 0 if nothing adheres
     std::size_t firstIndex;  // of its nodes among those of all cloths
     bool isMet;              // whether it is near itself or another
+    bool crosses;            // whether it crosses itself or another
     bool isOffItsWay;        // whether a node has left its way in this small step
     bool touches;            // whether a contact has acted in this small step
     bool hasTouchedOthers;   // whether one with other cloth has touched

@@ -56,19 +56,27 @@ void SurfaceContacts::begin(const std::vector<Sheet>& sheets, double substep, in
     for (std::size_t c = 0; c < clothCount_; ++c)
         if (cloths_[c].isMet) cloths_[c].startMotion(steps);
     nearest_.resize(nodes);
-    untangler_.clear();
-    for (std::size_t p = 0; p < pairCount_; ++p)
-        untangler_.find(pairs_[p], cloths_[pairs_[p].one], cloths_[pairs_[p].other]);
+    findTangles();
     for (std::size_t p = 0; p < pairCount_; ++p)
         find(pairs_[p], *cloths_[pairs_[p].one].memory, *cloths_[pairs_[p].other].memory);
     updateAdhesion();
     fillBlocks();
 }
 
+void SurfaceContacts::findTangles() {
+    untangler_.clear();
+    for (std::size_t p = 0; p < pairCount_; ++p) {
+        MeetingCloth &one = cloths_[pairs_[p].one], &other = cloths_[pairs_[p].other];
+        if (untangler_.find(pairs_[p], one, other)) one.crosses = other.crosses = true;
+    }
+    for (std::size_t c = 0; c < clothCount_; ++c)
+        cloths_[c].memory->noteCrossing(cloths_[c].crosses, substep_);
+}
+
 MeetingCloth& SurfaceContacts::newCloth() {
     if (clothCount_ == cloths_.size()) cloths_.emplace_back();
     MeetingCloth& cloth = cloths_[clothCount_++];
-    cloth.touches = cloth.hasTouchedOthers = cloth.isMet = false;
+    cloth.touches = cloth.hasTouchedOthers = cloth.isMet = cloth.crosses = false;
     return cloth;
 }
 

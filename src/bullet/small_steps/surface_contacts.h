@@ -101,6 +101,7 @@ class SurfaceContacts {
     std::size_t indexOfCloth(btSoftBody& body);
     void addPair(std::size_t one, std::size_t other);
 
+    void findTangles();
     void findWhatIsDue();
     void fillBlocks();
     void addToBlocks(ClothPair& pair);

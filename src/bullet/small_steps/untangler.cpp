@@ -16,6 +16,9 @@ namespace {
 // With which both sides are moved apart, as a multiple of the distance that contacts keep, 1/s (assumed).
 constexpr float distancesPerSecond = 40;
 
+// For how long cloth is moved apart, s (assumed): most gets apart within one.
+constexpr double longest = 2;
+
 // More are left to the next substep.
 constexpr CrossingLimits limits = {20000, 500000};
 
@@ -47,12 +50,13 @@ Untangler::Tangle& Untangler::newTangle(const MeetingCloth& one, const MeetingCl
     return tangle;
 }
 
-void Untangler::find(const ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other) {
+bool Untangler::find(const ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other) {
     if (&one == &other)
         crossings_.findWithin(*one.tree, limits, false);
     else
         crossings_.find(*one.tree, *other.tree, toEigen(other.origin - one.origin), limits);
-    if (crossings_.pairs().empty()) return;
+    if (crossings_.pairs().empty()) return false;
+    if (std::max(one.memory->crossing(), other.memory->crossing()) > longest) return true;
     Tangle& tangle = newTangle(one, other);
     passages_.clear();
     for (std::size_t i = 0; i < crossings_.pairs().size(); ++i)
@@ -64,6 +68,7 @@ void Untangler::find(const ClothPair& pair, const MeetingCloth& one, const Meeti
     for (Side& side : tangle.sides)
         for (Eigen::Vector3f& velocity : side.velocities)
             velocity *= std::min(1.0f, speed / std::max(velocity.norm(), speed));
+    return true;
 }
 
 void Untangler::addPassages(const Tangle& tangle, const CrossingPair& pair, int index) {

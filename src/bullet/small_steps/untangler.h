@@ -31,14 +31,15 @@ class ContourLines {
 // Which side of a face a node should be on is unknown where cloth crosses, but the line along which it does has to
 // become shorter until it is gone: cloth on both sides of it is moved as the line as a whole shrinks fastest (Volino and
 // Magnenat-Thalmann, "Resolving surface collisions through intersection contour minimization", 2006). Crossings are
-// found once a substep, and nothing is kept from one to the next. The cloth is moved without velocity and no faster than
+// found once a substep, and nothing is kept from one to the next but for how long cloth has crossed. The cloth is moved without velocity and no faster than
 // a limit, so that this adds hardly any energy. Contacts that would keep a crossing as it is are left out.
 class Untangler {
   public:
     // To be called at the start of a substep.
     void clear();
-    // Finds where a pair crosses. @pre the trees are where the nodes are
-    void find(const ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other);
+    // Finds where a pair crosses. What has crossed for too long is left as it is, so that cloth that cannot get apart
+    // comes to rest. @pre the trees are where the nodes are  @return whether it crosses
+    bool find(const ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other);
     // Leaves out the contacts of a pair where it crosses.
     void leaveOut(ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other) const;
     // Moves the cloth, in a small step, s.

@@ -79,10 +79,9 @@ void SmallStepSheet::state(BulletPass& pass) {
 
 void ContactMemory::state(BulletPass& pass) {
     // Drench 0.2 remembered no contacts.
-    if (pass.saves() ? contacts_.empty() : !pass.hasMore()) {
-        if (pass.restores()) contacts_.clear();
-        return;
-    }
+    const bool isEmpty = pass.saves() ? contacts_.empty() && crossing_ == 0 : !pass.hasMore();
+    if (isEmpty && pass.restores()) *this = ContactMemory();
+    if (isEmpty) return;
     constexpr double farthest = std::numeric_limits<int>::max();
     std::vector<Contact> all;
     if (pass.saves()) all = contacts_;
@@ -101,6 +100,11 @@ void ContactMemory::state(BulletPass& pass) {
         },
         1u << 24);
     if (pass.restores()) contacts_ = all;
+    if (pass.saves() ? crossing_ == 0 : !pass.hasMore()) {
+        if (pass.restores()) crossing_ = 0;
+        return;
+    }
+    pass.number(crossing_, 0, 1e9);
 }
 
 void LayerTouches::state(BulletPass& pass, std::size_t nodes) {
