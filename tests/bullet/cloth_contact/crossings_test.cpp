@@ -60,11 +60,14 @@ class Sheets {
             &world_.add(test::levelSheet(world_.info(), fabrics::cottonPlain(), sideOfOther, others, 0.1));
         cloth_ = &world_.cover(*one_, fabrics::cottonPlain());
         otherCloth_ = &world_.cover(*other_, fabrics::cottonPlain());
+        const auto same = [](const btVector3& at) { return at; };
+        place(false, same);
+        place(true, same);
     }
 
     void place(bool isOther, const std::function<btVector3(const btVector3&)>& to) {
         btSoftBody& body = isOther ? *other_ : *one_;
-        for (int n = 0; n < body.m_nodes.size(); ++n) body.m_nodes[n].m_x = to(body.m_nodes[n].m_x);
+        for (int n = 0; n < body.m_nodes.size(); ++n) body.m_nodes[n].m_x = rounded(to(body.m_nodes[n].m_x));
         body.updateBounds();
     }
     // @return how many of them there are
@@ -81,6 +84,14 @@ class Sheets {
     const WetCloth& cloth() const { return *cloth_; }
 
   private:
+    // To about a micrometre. Crossings are counted in single precision, in which such positions and what is between them
+    // are exact; so they are the same for CGAL.
+    static btVector3 rounded(btVector3 at) {
+        constexpr btScalar perMetre = 1 << 20;
+        for (int axis = 0; axis < 3; ++axis) at[axis] = std::round(at[axis] * perMetre) / perMetre;
+        return at;
+    }
+
     test::SmallStepWorld world_;
     btSoftBody* one_;
     btSoftBody* other_;
