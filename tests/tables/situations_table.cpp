@@ -1,5 +1,5 @@
 // Prints the table of docs/touch-and-air.md: what cloth does in the situations of games and robots, in the soft-rigid world
-// with small steps, with the stock solver (without height fields), and in the deformable world. Takes some minutes.
+// with small steps, with the stock solver (without height fields), and in the deformable world. Takes an hour.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

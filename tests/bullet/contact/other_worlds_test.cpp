@@ -17,6 +17,8 @@
 #include <memory>
 #include <vector>
 
+#include "bullet/world/worlds.h"
+
 namespace drench::other_worlds_test {
 namespace {
 
@@ -407,6 +409,41 @@ TEST(OtherWorlds, WhatFliesPastDoesNotPush) {
                 });
                 EXPECT_LT(fastest, 0.01)
                     << radius << " m at " << speed << " m/s, " << (isBelow ? "below" : "beside");
+            }
+}
+
+// A sheet flies past a post, in its plane or broadside with the post beside its border; the way of a node in a substep is
+// long against the distance between them.
+TEST(OtherWorlds, ASheetThatFliesPastAPostIsNotPushed) {
+    constexpr double radius = 0.03, clearance = 0.005;
+    btCylinderShape cylinder({btScalar(radius), 1, btScalar(radius)});
+    btCapsuleShape capsule(btScalar(radius), 2);
+    btBoxShape box({btScalar(radius), 1, btScalar(radius)});
+    for (btCollisionShape* const shape : std::vector<btCollisionShape*>{&cylinder, &capsule, &box})
+        for (const double speed : {5.0, 20.0, 40.0})
+            for (const bool isBroadside : {false, true}) {
+                test::SmallStepWorld rig;
+                rig.setGravity({0, 0, 0});
+                const btVector3 along =
+                    isBroadside ? btVector3(0, 0, btScalar(0.5)) : btVector3(btScalar(0.5), 0, 0);
+                btSoftBody& sheet = rig.add(
+                    makeSheet(rig.info(), fabrics::cottonPlain(),
+                              flatCorners({0, btScalar(-0.25), 0}, {0, btScalar(0.5), 0}, along), 17, 17));
+                rig.cover(sheet, fabrics::cottonPlain(), test::withoutAir());
+                const double beside = radius + double(sheet.getCollisionShape()->getMargin()) + clearance;
+                btRigidBody post(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, shape));
+                post.setWorldTransform(at(1.3, 0, -beside));
+                rig.world().addRigidBody(&post);
+                const btVector3 velocity(btScalar(speed), 0, 0);
+                test::setVelocity(sheet, velocity);
+                rig.run(3 / speed);
+                double most = 0;
+                for (int n = 0; n < sheet.m_nodes.size(); ++n)
+                    most = std::max(most, double((sheet.m_nodes[n].m_v - velocity).length()));
+                EXPECT_LT(most, 1e-3) << shape->getName() << " at " << speed << " m/s, "
+                                      << (isBroadside ? "broadside" : "in its plane");
+                EXPECT_GT(sheet.m_nodes[0].m_x.x(), 1.5) << "it has not passed";
+                rig.world().removeRigidBody(&post);
             }
 }
 
