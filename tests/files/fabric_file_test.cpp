@@ -129,7 +129,8 @@ TEST(FabricFile, NamesTheKeyThatIsOff) {
 
 TEST(FabricFile, FilesOfVersion02HaveNoParametersOfLayers) {
     nlohmann::json json = nlohmann::json::parse(fabricText(fabrics::denim()));
-    for (const char* const parameter : {"permeabilityThrough", "pressedThicknessRatio"}) json.erase(parameter);
+    for (const char* const parameter : {"permeabilityThrough", "pressedThicknessRatio"})
+        json.erase(parameter);
     const Fabric read = fabricFromText(json.dump()), cotton;
     EXPECT_EQ(read.permeabilityThrough, cotton.permeabilityThrough);
     EXPECT_EQ(read.pressedThicknessRatio, cotton.pressedThicknessRatio);

@@ -53,7 +53,7 @@ struct ContactGroup {
     ContactBlock* blocks;
     std::uint8_t* strays;  // of each block: a bit for each lane whose plane has to be found again
     std::uint8_t* places;  // of each block: whether it was placed apart, and not all of that is settled
-    std::size_t count;  // of blocks
+    std::size_t count;     // of blocks
 };
 
 // What a small step needs to know.

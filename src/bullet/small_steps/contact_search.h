@@ -34,8 +34,8 @@ class ContactSearch {
     // Finds all contacts that are possible while the nodes are on their ways, and those of nodes that adhere.
     // @param farthest              from which something comes near that is looked for, m
     // @param memory, memoryOfOther what contacts of one cloth and of the other have left
-    void find(ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other,
-              float farthest, const ContactMemory& memory, const ContactMemory& memoryOfOther);
+    void find(ClothPair& pair, const MeetingCloth& one, const MeetingCloth& other, float farthest,
+              const ContactMemory& memory, const ContactMemory& memoryOfOther);
 
   private:
     void findBonds(bool areOfOther);
