@@ -309,6 +309,11 @@ TEST(UntanglingInVain, IsReportedAfterASecond) {
         EXPECT_EQ(rig.clothOf(i).troubles()[0].what, Trouble::crossing);
         EXPECT_NE(rig.clothOf(i).troubles()[0].message.find("with other sheets"), std::string::npos);
     }
+    // Then it is left as it is, and comes to rest.
+    one.m_cfg.kDP = other.m_cfg.kDP = 2;
+    const Found later = watch(rig, {&one, &other}, 4);
+    EXPECT_GT(later.atEnd, 0);
+    for (const btSoftBody* const body : {&one, &other}) EXPECT_LT(test::fastest(*body), 0.005) << "m/s";
 }
 
 TEST(UntanglingOfASnapshot, GoesOnBitByBit) {
