@@ -78,14 +78,7 @@ void Crossings::between(int branch, int other) {
             betweenLeaves(entryOf(cloth_->leaves(), one.leaf), entryOf(other_->leaves(), two.leaf));
         return;
     }
-    const bool splitsOther =
-        one.leaf >= 0 || (two.leaf < 0 && (otherBox.high - otherBox.low).matrix().squaredNorm() >
-                                              (box.high - box.low).matrix().squaredNorm());
-    for (int child = 0; child < 2; ++child)
-        if (splitsOther)
-            between(branch, two.children[child]);
-        else
-            between(one.children[child], other);
+    cloth_->descend(*other_, branch, other, [this](int first, int second) { between(first, second); });
 }
 
 void Crossings::betweenLeaves(const SurfaceTree::Leaf& leaf, const SurfaceTree::Leaf& other) {

@@ -169,14 +169,7 @@ void NearPairs::between(int branch, int other) {
         if (!isSkipped(branch, other)) betweenLeaves(branch, other);
         return;
     }
-    const bool splitsOther =
-        one.leaf >= 0 || (two.leaf < 0 && (otherBox.high - otherBox.low).matrix().squaredNorm() >
-                                              (box.high - box.low).matrix().squaredNorm());
-    for (int child = 0; child < 2; ++child)
-        if (splitsOther)
-            between(branch, two.children[child]);
-        else
-            between(one.children[child], other);
+    cloth_->descend(*other_, branch, other, [this](int first, int second) { between(first, second); });
 }
 
 // Neighbouring pieces of a cloth are as near by nature. They meet only if the cloth around them bends back.

@@ -97,6 +97,22 @@ class SurfaceTree {
     static bool pointToOneSide(const Box& box, float cosine);
     static Box together(const Box& one, const Box& other);
 
+    // Goes from two branches that are not both leaves, of this tree and of another, to those below the larger one: calls a
+    // function with each pair.
+    template <typename Between>
+    void descend(const SurfaceTree& other, int branch, int otherBranch, Between between) const {
+        const auto size = [](const Box& box) { return (box.high - box.low).matrix().squaredNorm(); };
+        const auto at = static_cast<std::size_t>(branch), at2 = static_cast<std::size_t>(otherBranch);
+        const Branch &one = branches_[at], &two = other.branches_[at2];
+        const bool splitsOther =
+            one.leaf >= 0 || (two.leaf < 0 && size(other.boxes_[at2]) > size(boxes_[at]));
+        for (int child = 0; child < 2; ++child)
+            if (splitsOther)
+                between(branch, two.children[child]);
+            else
+                between(one.children[child], otherBranch);
+    }
+
   private:
     int makeBranch(std::vector<Face>& faces, std::size_t first, std::size_t end,
                    const std::vector<Eigen::Vector3f>& places);
